@@ -1,0 +1,45 @@
+//! A point set: n points of d coordinates in the unit cube.
+
+/// `n x d` coordinates, row-major: point `i` is `coordinates[i * d..(i + 1) * d]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Points {
+    d: usize,
+    coordinates: Vec<f64>,
+}
+
+impl Points {
+    /// Wraps row-major coordinates of dimension `d`; `None` unless `d > 0` and the rows are whole.
+    pub fn from_rows(d: usize, coordinates: Vec<f64>) -> Option<Self> {
+        (d > 0 && coordinates.len().is_multiple_of(d)).then_some(Self { d, coordinates })
+    }
+
+    /// The number of points, n.
+    pub fn len(&self) -> usize {
+        self.coordinates.len() / self.d
+    }
+
+    /// Whether there is no point.
+    pub fn is_empty(&self) -> bool {
+        self.coordinates.is_empty()
+    }
+
+    /// The number of dimensions, d.
+    pub fn dimensions(&self) -> usize {
+        self.d
+    }
+
+    /// The points in order, each a slice of d coordinates.
+    pub fn rows(&self) -> std::slice::ChunksExact<'_, f64> {
+        self.coordinates.chunks_exact(self.d)
+    }
+
+    /// The coordinates on axis `j < d`, in the order of the points.
+    pub fn axis(&self, j: usize) -> impl Iterator<Item = f64> + '_ {
+        self.coordinates.iter().copied().skip(j).step_by(self.d)
+    }
+
+    /// All coordinates, row-major.
+    pub fn coordinates(&self) -> &[f64] {
+        &self.coordinates
+    }
+}
