@@ -1,6 +1,11 @@
-//! The integration tests, in one binary so that they link once.
+//! The tests of the whole: one binary, so that it links once.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod battery;
+mod expected;
 #[cfg(feature = "publish")]
 mod kinds;
 #[cfg(feature = "publish")]
 mod parameters;
+mod statistics;
