@@ -1,4 +1,4 @@
-//! Monte Carlo and quasi-Monte Carlo sampling: samplers, scrambles, integrands and statistics, each with its source.
+//! A literate course workbook: every figure computed, every claim verified.
 
 pub mod catalogue;
 pub mod integrands;
@@ -7,3 +7,14 @@ pub mod samplers;
 pub mod scrambles;
 pub mod seed;
 pub mod stats;
+
+#[cfg(feature = "publish")]
+pub mod chart;
+#[cfg(feature = "publish")]
+pub mod diag;
+#[cfg(feature = "publish")]
+pub mod exhibits;
+#[cfg(feature = "publish")]
+pub mod kinds;
+#[cfg(feature = "publish")]
+pub mod parameters;
