@@ -177,7 +177,7 @@ mod drawing {
 
     use super::{Data, Function, at};
     use crate::chart::number::significant;
-    use crate::chart::{Area, Axis, Chart, ChartError, Line, Panel, Role, Rule, Sheet, Style};
+    use crate::chart::{Area, Axis, Chart, ChartError, Corner, Line, Note, Panel, Role, Rule, Sheet, Style};
     use crate::exhibits::Drawing;
 
     pub(super) fn draw(p: &Function, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -189,19 +189,27 @@ mod drawing {
         }
         if let Some((integral, _)) = data.integral.filter(|_| p.mean) {
             let mean = integral / (p.to - p.from);
-            panel = panel.with(Rule::horizontal(mean).label(format!("mean {}", significant(mean, 4))));
+            panel = panel.with(Rule::horizontal(mean)).with(label(p, data, mean));
         }
         let panel = panel.with(Line::new(curve).style(Style::new(Role::Accent)));
         Ok(Chart::new(panel).draw(sheet)?.into())
     }
 
+    /// The name of the mean height, at the end where the curve is farther from it.
+    fn label(p: &Function, data: &Data, mean: f64) -> Note {
+        let apart = |height: Option<&f64>| height.map_or(0.0, |height| (height - mean).abs());
+        let left = apart(data.heights.first()) >= apart(data.heights.last());
+        let (x, corner) = if left { (p.from, Corner::AboveRight) } else { (p.to, Corner::AboveLeft) };
+        Note::new((x, mean), format!("mean {}", significant(mean, 4))).corner(corner)
+    }
+
     pub(super) fn alt(p: &Function, data: &Data) -> String {
         let say = |value: f64| significant(value, 4);
         let mut text = format!(
-            "The curve of {} from x = {} to {}: between {} (at {}) and {} (at {})",
+            "The curve of {} from x = {} to {}: between {} (at x = {}) and {} (at x = {})",
             p.integrand.text(),
-            say(p.from),
-            say(p.to),
+            p.from,
+            p.to,
             say(data.minimum.1),
             say(data.minimum.0),
             say(data.maximum.1),

@@ -223,7 +223,7 @@ mod drawing {
 
     use super::{Data, Points, Set, Strata, side};
     use crate::chart::number::{integer, significant};
-    use crate::chart::{self, Axis, Chart, ChartError, Key, Marks, Panel, Sheet, Style};
+    use crate::chart::{self, Axis, Chart, ChartError, Key, Marks, Panel, Role, Rule, Sheet, Style};
     use crate::exhibits::Drawing;
 
     pub(super) fn draw(p: &Points, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -257,6 +257,10 @@ mod drawing {
         let cells = side(p).map(|side| chart::Strata::boxes(side as u32, if line { 1 } else { side as u32 }));
         let slabs = if line { chart::Strata::boxes(p.n as u32, 1) } else { chart::Strata::slabs(p.n as u32) };
         let panel = panel.keeping(slabs);
+        if line && p.strata != Strata::None {
+            let border = |slab: usize| Rule::vertical(slab as f64 / p.n as f64).style(Style::new(Role::Strata));
+            return panel.with_all((1..p.n).map(border));
+        }
         match (p.strata, cells) {
             (Strata::Cells, Some(cells)) => panel.strata(cells),
             (Strata::Slabs, cells) => cells.into_iter().fold(panel.strata(slabs), Panel::keeping),

@@ -207,7 +207,7 @@ mod drawing {
 
     use super::{BAND, Data, RunningMean, Runs};
     use crate::chart::number::{fixed, integer, significant};
-    use crate::chart::{Axis, Band, Chart, ChartError, Line, Panel, Rich, Rule, Sheet, Style};
+    use crate::chart::{Axis, Band, Chart, ChartError, Line, Panel, Rich, Sheet, Style};
     use crate::exhibits::Drawing;
 
     pub(super) fn draw(_: &RunningMean, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -228,12 +228,14 @@ mod drawing {
             let edge = |k: f64| (k, data.exact - BAND * sigma / k.sqrt(), data.exact + BAND * sigma / k.sqrt());
             panel = panel.with(Band::new(data.marks.iter().map(|&k| edge(k as f64)).collect()).label("±2*σ*/√*N*"));
         }
+        let ends = vec![(1.0, data.exact), (data.marks.last().map_or(2.0, |&k| k as f64), data.exact)];
+        let exact = Line::new(ends).style(Style::EXACT).label("exact");
         let style = Style::of(&runs.method);
         let line = |means: &Vec<f64>| {
             let points = data.marks.iter().zip(means).map(|(&k, &mean)| (k as f64, mean)).collect();
             Line::new(points).style(style).faint()
         };
-        panel.with_all(runs.means.iter().map(line)).with(Rule::horizontal(data.exact).label("exact"))
+        panel.with_all(runs.means.iter().map(line)).with(exact)
     }
 
     /// The heights to show: all of the means and, from a few samples on, all of the band.
