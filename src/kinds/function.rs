@@ -150,7 +150,9 @@ fn spread(f: &Integrand, p: &Function, mean: f64) -> Option<f64> {
 fn extreme(p: &Function, heights: &[f64], sign: f64) -> (f64, f64) {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let height = |x: f64| sign * p.integrand.evaluate(&[x]);
-    let best = (0..heights.len()).max_by(|a, b| (sign * heights[*a]).total_cmp(&(sign * heights[*b]))).unwrap_or(0);
+    // The first of equals: where a plateau begins.
+    let better = |a: &usize, b: &usize| (sign * heights[*a]).total_cmp(&(sign * heights[*b])).then(b.cmp(a));
+    let best = (0..heights.len()).max_by(better).unwrap_or(0);
     let mut top = (at(p, best), sign * heights.get(best).copied().unwrap_or(f64::NAN));
     let (mut low, mut high) = (at(p, best.saturating_sub(1)), at(p, best + 1));
     for _ in 0..60 {
@@ -203,8 +205,16 @@ mod drawing {
         Note::new((x, mean), format!("mean {}", significant(mean, 4))).corner(corner)
     }
 
+    /// A number in at most four digits, without the zeros at its end.
+    fn say(value: f64) -> String {
+        let text = significant(value, 4);
+        if !text.contains('.') || text.contains('×') {
+            return text;
+        }
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    }
+
     pub(super) fn alt(p: &Function, data: &Data) -> String {
-        let say = |value: f64| significant(value, 4);
         let mut text = format!(
             "The curve of {} from x = {} to {}: between {} (at x = {}) and {} (at x = {})",
             p.integrand.text(),
@@ -218,7 +228,7 @@ mod drawing {
         if let Some((integral, _)) = data.integral {
             let _ = write!(
                 text,
-                ", with {} below it and the mean height {}",
+                ", with an area of {} below it and the mean height {}",
                 say(integral),
                 say(integral / (p.to - p.from))
             );

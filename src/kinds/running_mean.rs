@@ -207,7 +207,7 @@ mod drawing {
 
     use super::{BAND, Data, RunningMean, Runs};
     use crate::chart::number::{fixed, integer, significant};
-    use crate::chart::{Axis, Band, Chart, ChartError, Line, Panel, Rich, Sheet, Style};
+    use crate::chart::{Axis, Band, Chart, ChartError, Dash, Line, Panel, Rich, Sheet, Style};
     use crate::exhibits::Drawing;
 
     pub(super) fn draw(_: &RunningMean, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -230,10 +230,12 @@ mod drawing {
         }
         let ends = vec![(1.0, data.exact), (data.marks.last().map_or(2.0, |&k| k as f64), data.exact)];
         let exact = Line::new(ends).style(Style::EXACT).label("exact");
-        let style = Style::of(&runs.method);
+        // Many broken lines would be a fog: runs keep the sampler's colour, and are whole.
+        let style = Style::of(&runs.method).dash(Dash::Solid);
         let line = |means: &Vec<f64>| {
             let points = data.marks.iter().zip(means).map(|(&k, &mean)| (k as f64, mean)).collect();
-            Line::new(points).style(style).faint()
+            let line = Line::new(points).style(style);
+            if runs.means.len() > 3 { line.faint() } else { line }
         };
         panel.with_all(runs.means.iter().map(line)).with(exact)
     }
