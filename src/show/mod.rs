@@ -2,15 +2,18 @@
 //!
 //! Drawing is a pure function of the data; nothing here computes a statistic.
 
+mod values;
 mod verdict;
 
 use std::sync::Arc;
 
-use crate::chart::{Drawing, Sheet};
+use crate::chart::Sheet;
+use crate::exhibits::Drawing;
 use crate::diag::{Code, Diagnostic};
-use crate::kinds::Outcome;
+use crate::kinds::{Failure, Outcome};
 use crate::plan::{Exhibit, Plan};
 
+pub use values::check as check_values;
 pub use verdict::Verdict;
 
 /// An exhibit ready to be put on a page.
@@ -27,24 +30,31 @@ pub struct Shown {
     pub verdicts: Vec<Verdict>,
 }
 
-/// Draws every exhibit of the plan; `outcomes` are its results with the digests of their keys, in its order.
-pub fn show(plan: &Plan, outcomes: Vec<(String, Arc<Outcome>)>) -> (Vec<Shown>, Vec<Diagnostic>) {
+/// Draws every exhibit of the plan; `outcomes` are its results with the digests of their keys, in its order, where there are any.
+pub fn show(plan: &Plan, outcomes: Vec<Option<(String, Arc<Outcome>)>>) -> (Vec<Option<Shown>>, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
-    let mut shown = Vec::new();
-    for (exhibit, (key, outcome)) in plan.exhibits.iter().zip(outcomes) {
+    let shown = plan.exhibits.iter().zip(outcomes).map(|(exhibit, outcome)| {
+        let (key, outcome) = outcome?;
         let verdicts = verdict::judge(exhibit, &outcome.values, &mut diagnostics);
         let alt = alternative(exhibit, &outcome, &mut diagnostics);
         let sheet = Sheet::new(&exhibit.id, exhibit.experiment.kind().about().title, &alt);
         match exhibit.experiment.draw(&outcome, &sheet) {
-            Ok(drawing) => shown.push(Shown { key, outcome, drawing, alt, verdicts }),
-            Err(failure) => diagnostics.push(
-                Diagnostic::error(Code::Failed, format!("`{}` cannot be drawn: {}", exhibit.id, failure.message))
-                    .at_place(&exhibit.place)
-                    .help_if(failure.help),
-            ),
+            Ok(drawing) => Some(Shown { key, outcome, drawing, alt, verdicts }),
+            Err(failure) => {
+                diagnostics.push(failed(exhibit, &failure));
+                None
+            }
         }
-    }
-    (shown, diagnostics)
+    });
+    (shown.collect(), diagnostics)
+}
+
+/// What to tell of an experiment that failed, or of a result that cannot be drawn.
+pub fn failed(exhibit: &Exhibit, failure: &Failure) -> Diagnostic {
+    let parameter = failure.parameter.map(|parameter| format!(", at `{parameter}`")).unwrap_or_default();
+    Diagnostic::error(Code::Failed, format!("`{}` failed{parameter}: {}", exhibit.id, failure.message))
+        .at_place(&exhibit.place)
+        .help_if(failure.help.clone())
 }
 
 /// The author's words for the exhibit, or those derived from the data; none is an error.

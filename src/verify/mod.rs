@@ -1,0 +1,3 @@
+//! The book as a reader would meet it.
+
+pub mod site;
