@@ -1,0 +1,7 @@
+//! The tests of the whole: one binary, so that it links once.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod battery;
+mod expected;
+mod statistics;
