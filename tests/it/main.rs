@@ -4,4 +4,8 @@
 
 mod battery;
 mod expected;
+#[cfg(feature = "publish")]
+mod kinds;
+#[cfg(feature = "publish")]
+mod parameters;
 mod statistics;
