@@ -1,0 +1,134 @@
+//! Estimation: many estimates of one integral, in parallel and in an order that no thread can change.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use crate::diag::Code;
+use crate::integrands::{Function, Reference};
+use crate::kinds::experiment::{Failure, Problems};
+use crate::points::Points;
+use crate::samplers::Method;
+use crate::seed::Seed;
+use crate::stats::moments::{self, Sum};
+
+/// How many evaluations one task of the thread pool makes, about.
+const TASK: usize = 1 << 15;
+
+/// The estimates of one integral by several samplers.
+pub struct Study<'a> {
+    /// The key of the kind that asks, so that two kinds never share random numbers.
+    pub kind: &'static str,
+    /// The integrand.
+    pub integrand: &'a Function,
+    /// The dimensions of the unit cube.
+    pub d: usize,
+    /// The experiment's seed.
+    pub seed: Seed,
+}
+
+impl Study<'_> {
+    /// The stream of one replicate. It depends on nothing else that is asked for in the same experiment, so that another
+    /// sampler, count or replicate never shifts the numbers of this one.
+    pub fn stream(&self, method: &Method, n: usize, replicate: usize) -> Seed {
+        self.seed.named(self.kind).named(&method.name()).at(n as u64).at(replicate as u64)
+    }
+
+    /// The estimates of every method, for every count, over the replicates: `[method][count][replicate]`. A method that
+    /// no seed changes has one replicate.
+    pub fn estimates(
+        &self,
+        methods: &[Method],
+        counts: &[usize],
+        replicates: usize,
+    ) -> Result<Vec<Vec<Vec<f64>>>, Failure> {
+        let mut tasks = Vec::new();
+        for (i, method) in methods.iter().enumerate() {
+            let replicates = replicates_of(method, replicates);
+            for (j, &n) in counts.iter().enumerate() {
+                let batch = (TASK / n.max(1)).max(1);
+                let batches = (0..replicates).step_by(batch);
+                tasks.extend(batches.map(|first| (i, j, method, n, first..(first + batch).min(replicates))));
+            }
+        }
+        let results: Vec<_> = tasks.par_iter().map(|(_, _, method, n, batch)| self.batch(method, *n, batch)).collect();
+        let mut all = vec![vec![Vec::new(); counts.len()]; methods.len()];
+        for ((i, j, ..), result) in tasks.into_iter().zip(results) {
+            let estimates = result?;
+            if let Some(slot) = all.get_mut(i).and_then(|counts| counts.get_mut(j)) {
+                slot.extend(estimates);
+            }
+        }
+        Ok(all)
+    }
+
+    fn batch(&self, method: &Method, n: usize, replicates: &Range<usize>) -> Result<Vec<f64>, Failure> {
+        replicates.clone().map(|replicate| self.estimate(method, n, self.stream(method, n, replicate))).collect()
+    }
+
+    /// One estimate: the mean of the integrand over n points.
+    pub fn estimate(&self, method: &Method, n: usize, stream: Seed) -> Result<f64, Failure> {
+        let points = self.points(method, n, stream)?;
+        let mut sum = Sum::default();
+        for point in points.rows() {
+            sum.add(self.integrand.evaluate(point));
+        }
+        let mean = sum.value() / n as f64;
+        if mean.is_finite() { Ok(mean) } else { Err(self.undefined(&points)) }
+    }
+
+    /// The points of one replicate.
+    pub fn points(&self, method: &Method, n: usize, stream: Seed) -> Result<Points, Failure> {
+        method.points(n, self.d, stream).map_err(|refused| Failure::of("samplers", refused.to_string()))
+    }
+
+    /// The failure of an integrand that is not finite at one of `points`.
+    pub fn undefined(&self, points: &Points) -> Failure {
+        let at = points.rows().find(|point| !self.integrand.evaluate(point).is_finite());
+        undefined(self.integrand, at.unwrap_or_default())
+    }
+}
+
+/// The failure of `integrand` at a point where it is not finite.
+pub fn undefined(integrand: &Function, point: &[f64]) -> Failure {
+    let place: Vec<String> = point.iter().map(|coordinate| format!("{coordinate:.4}")).collect();
+    let place = if place.is_empty() { String::new() } else { format!(" at ({})", place.join(", ")) };
+    let message = format!("`{}` is not a finite number{place}", integrand.text());
+    Failure::of("integrand", message).help("choose an integrand that is finite on the whole of [0, 1)^d")
+}
+
+/// How many replicates of `method` differ, of those asked for.
+pub fn replicates_of(method: &Method, asked: usize) -> usize {
+    if method.is_random() { asked } else { 1 }
+}
+
+/// The integral of `integrand` over the unit cube of d dimensions, or the failure that it is not known.
+pub fn reference(integrand: &Function, d: usize) -> Result<Reference, Failure> {
+    let failure = || {
+        let message = format!("the integral of `{}` in {d} dimensions is not known exactly enough", integrand.text());
+        Failure::of("integrand", message).help("choose a catalogued integrand, or a smooth one of at most 3 dimensions")
+    };
+    integrand.integral(d).filter(|reference| reference.value.is_finite()).ok_or_else(failure)
+}
+
+/// The dimensions to integrate over: as asked, or as many as the integrand has, or two where it takes any number.
+pub fn dimensions(integrand: &Function, asked: Option<usize>) -> usize {
+    asked.or(integrand.dimensions()).unwrap_or(2)
+}
+
+/// Complains if the integrand has more variables than the `asked` dimensions.
+pub fn check_dimensions(integrand: &Function, asked: Option<usize>, problems: &mut Problems<'_, '_>) {
+    if let (Some(has), Some(asked)) = (integrand.dimensions(), asked)
+        && asked < has
+    {
+        let message = format!("`{}` has {has} variables, more than {asked} dimensions", integrand.text());
+        problems.at("dimensions", Code::Combination, message, Some(format!("write {has}, or drop the line")));
+    }
+}
+
+/// The mean of `numbers` with its standard error, which a single number does not have.
+pub fn mean_with_error(numbers: &[f64]) -> (f64, Option<f64>) {
+    let n = numbers.len() as f64;
+    let error = (numbers.len() > 1).then(|| (moments::variance(numbers) / n).sqrt());
+    (moments::mean(numbers), error)
+}

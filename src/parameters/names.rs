@@ -1,0 +1,132 @@
+//! Names and formulas: samplers with their scrambles, and integrands.
+
+use std::ops::{Range, RangeInclusive};
+
+use serde_json::{Value, json};
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::{Complaint, ParameterType, Unbounded, wrong_type};
+use crate::catalogue::{About, nearest};
+use crate::diag::Code;
+use crate::integrands::{ExpressionError, Function, INTEGRANDS};
+use crate::samplers::{Method, UnknownMethod};
+
+impl ParameterType for Method {
+    type Bound = Unbounded;
+
+    fn type_name() -> String {
+        "the name of a sampler".to_owned()
+    }
+
+    fn schema() -> Value {
+        json!({ "type": "string", "pattern": "^[a-z0-9-]+(\\+[a-z0-9-]+)?$" })
+    }
+
+    fn read(
+        value: &Spanned<DeValue<'_>>,
+        _: Option<&RangeInclusive<Unbounded>>,
+        complaints: &mut Vec<Complaint>,
+    ) -> Option<Self> {
+        let Some(text) = value.get_ref().as_str() else {
+            wrong_type::<Self>(value, complaints);
+            return None;
+        };
+        match Method::parse(text) {
+            Ok(method) => Some(method),
+            Err(error) => {
+                complaints.push(unknown(&error, value.span()));
+                None
+            }
+        }
+    }
+
+    fn canonical(&self) -> Value {
+        json!(self.name())
+    }
+
+    fn abouts(&self) -> Vec<&'static About> {
+        Method::abouts(self)
+    }
+}
+
+/// What is wrong with the name of a method that stands at `place`.
+fn unknown(error: &UnknownMethod, place: Range<usize>) -> Complaint {
+    let (code, message, list) = match error {
+        UnknownMethod::Sampler { written, .. } => {
+            (Code::UnknownName, format!("unknown sampler `{written}`"), "samplers")
+        }
+        UnknownMethod::Scramble { written, .. } => {
+            (Code::UnknownName, format!("unknown scramble `{written}`"), "scrambles")
+        }
+        other => (Code::Combination, other.to_string(), "scrambles"),
+    };
+    Complaint::new(code, place, message)
+        .help_if(error.suggestion().map(|name| format!("did you mean `{name}`?")))
+        .help(format!("`workbook list {list}` shows all"))
+}
+
+impl ParameterType for Function {
+    type Bound = Unbounded;
+
+    fn type_name() -> String {
+        "an integrand: a catalogued name, or an expression such as \"exp(sin(3*x^2))\"".to_owned()
+    }
+
+    fn schema() -> Value {
+        json!({ "type": "string" })
+    }
+
+    fn read(
+        value: &Spanned<DeValue<'_>>,
+        _: Option<&RangeInclusive<Unbounded>>,
+        complaints: &mut Vec<Complaint>,
+    ) -> Option<Self> {
+        let Some(text) = value.get_ref().as_str() else {
+            wrong_type::<Self>(value, complaints);
+            return None;
+        };
+        match Function::parse(text) {
+            Ok(function) => Some(function),
+            Err(error) => {
+                complaints.push(complain(text, &value.span(), error));
+                None
+            }
+        }
+    }
+
+    fn canonical(&self) -> Value {
+        json!(self.text())
+    }
+
+    fn abouts(&self) -> Vec<&'static About> {
+        Function::abouts(self)
+    }
+}
+
+/// What is wrong with the integrand `text`, which stands at `place`, quotes included.
+fn complain(text: &str, place: &Range<usize>, error: ExpressionError) -> Complaint {
+    let all = "`workbook list integrands` shows the catalogued ones; an expression is in x, y or x1, x2, ...";
+    let is_name = !text.is_empty() && text.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
+    if is_name && (error.range == (0..text.len()) || text.contains('-')) {
+        let offer = nearest(text, INTEGRANDS.iter().map(|integrand| integrand.about().key));
+        let offer = offer.map(|name| format!("did you mean `{name}`?")).or(error.suggestion);
+        return Complaint::new(Code::UnknownName, place.clone(), format!("unknown integrand `{text}`"))
+            .help_if(offer)
+            .help(all);
+    }
+    Complaint::new(Code::Expression, inside(text, place, &error.range), error.message)
+        .help_if(error.suggestion)
+        .help(all)
+}
+
+/// The bytes of the fence where `range` of the string `text` stands; the whole string if it is written with escapes.
+fn inside(text: &str, place: &Range<usize>, range: &Range<usize>) -> Range<usize> {
+    let plain = place.len() == text.len() + 2;
+    if !plain || range.start > range.end || range.end > text.len() {
+        return place.clone();
+    }
+    let start = place.start + 1 + range.start;
+    // A range of nothing, such as the end of the expression, marks at least the quote after it.
+    start..(place.start + 1 + range.end).max(start + 1)
+}

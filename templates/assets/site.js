@@ -1,0 +1,52 @@
+// The theme button: automatic, light, dark. The pages are complete without this script.
+(function () {
+  "use strict";
+  var root = document.documentElement;
+  var themes = ["automatic", "light", "dark"];
+
+  // Storage may be refused, or kept per file, for pages opened from disk; the address then carries the choice.
+  function recall() {
+    var asked = /[?&]theme=(light|dark)/.exec(location.search);
+    if (asked) return asked[1];
+    try { return localStorage.getItem("theme") || "automatic"; } catch (_) { return "automatic"; }
+  }
+
+  function remember(theme) {
+    try { localStorage.setItem("theme", theme); } catch (_) { /* the choice lasts as long as the page */ }
+  }
+
+  function apply(theme) {
+    if (theme === "light" || theme === "dark") root.setAttribute("data-theme", theme);
+    else root.removeAttribute("data-theme");
+  }
+
+  var theme = recall();
+  if (themes.indexOf(theme) < 0) theme = "automatic";
+  apply(theme);
+
+  document.addEventListener("DOMContentLoaded", function () {
+    var buttons = document.querySelectorAll(".theme-toggle");
+    function show() {
+      buttons.forEach(function (button) {
+        button.hidden = false;
+        button.querySelector("span").textContent = theme;
+      });
+    }
+    buttons.forEach(function (button) {
+      button.addEventListener("click", function () {
+        theme = themes[(themes.indexOf(theme) + 1) % themes.length];
+        apply(theme);
+        remember(theme);
+        show();
+      });
+    });
+    show();
+  });
+
+  document.addEventListener("click", function (event) {
+    var link = event.target.closest && event.target.closest("a[href]");
+    if (!link || location.protocol !== "file:" || link.protocol !== "file:") return;
+    if (link.getAttribute("href").charAt(0) === "#") return;
+    link.search = theme === "automatic" ? "" : "?theme=" + theme;
+  });
+})();
