@@ -127,6 +127,10 @@ codes! {
     Unreadable = "W0003";
     /// A file that a chapter includes is missing.
     MissingInclude = "W0004";
+    /// A file or folder cannot be written.
+    Unwritable = "W0009";
+    /// The folder to build into holds something else.
+    NotABook = "W0010";
     /// `workbook.toml` is broken.
     Configuration = "W0005";
     /// A chapter is listed but missing, or there but not listed.

@@ -1,0 +1,188 @@
+//! `workbook.toml`: the course's title, its authors, the order of its chapters and what holds for all of them.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use toml::de::{DeTable, DeValue};
+
+use crate::catalogue::nearest;
+use crate::diag::{Code, Diagnostic};
+use crate::parameters::{Complaint, Fields, Parameters, parameters};
+use crate::workspace::{CHAPTERS, CONFIGURATION, Source, Workspace, chapter_stem};
+
+parameters! {
+    /// The keys of `workbook.toml` itself.
+    pub struct Head {
+        /// The title of the course.
+        title: String,
+        /// A line below the title.
+        subtitle: Option<String>,
+        /// What the course is about, in a sentence or two, for the landing page.
+        summary: Option<String>,
+        /// Who wrote it.
+        authors: Vec<String>,
+        /// The language of the text, as in HTML's `lang`.
+        language: String = "en",
+        /// The chapters in the order of the book, each by its file's stem; all of them by name if it is not given.
+        order: Option<Vec<String>>,
+        /// The bibliography's file in the chapters' folder.
+        bibliography: Option<String>,
+        /// Whether chapters may hold raw HTML.
+        allow_html: bool = false,
+    }
+}
+
+parameters! {
+    /// The table `[defaults]`.
+    pub struct Defaults {
+        /// The seed of every experiment that does not give its own.
+        seed: usize [in 0..=9_007_199_254_740_991] = 1,
+    }
+}
+
+/// What holds for the whole course.
+#[derive(Debug, Clone, Default)]
+pub struct Configuration {
+    /// The title of the course.
+    pub title: String,
+    /// A line below the title; may be empty.
+    pub subtitle: String,
+    /// What the course is about; may be empty.
+    pub summary: String,
+    /// Who wrote it.
+    pub authors: Vec<String>,
+    /// The language of the text.
+    pub language: String,
+    /// The listed chapters' stems, each with its place in the configuration; none lists all of them.
+    pub order: Option<Vec<(String, Range<usize>)>>,
+    /// The bibliography's path from the course's root.
+    pub bibliography: Option<String>,
+    /// Whether chapters may hold raw HTML.
+    pub allow_html: bool,
+    /// The seed of every experiment that does not give its own.
+    pub seed: u64,
+    /// LaTeX macros: name to replacement.
+    pub macros: BTreeMap<String, String>,
+}
+
+/// Reads the configuration; what is missing or wrong is told, and the default stands in.
+pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> Configuration {
+    let Some(source) = workspace.text(CONFIGURATION) else { return Configuration::default() };
+    let (table, errors) = DeTable::parse_recoverable(&source.text);
+    for error in errors {
+        let range = error.span().unwrap_or(0..0);
+        diagnostics.push(Diagnostic::error(Code::Toml, error.message().to_owned()).at(&source.path, range));
+    }
+    let mut fields = Fields::plain(table.get_ref());
+    let head = Head::read(&mut fields);
+    let mut configuration = Configuration { seed: 1, ..Configuration::default() };
+    if let Some(head) = head {
+        configuration = Configuration {
+            title: head.title,
+            subtitle: head.subtitle.unwrap_or_default(),
+            summary: head.summary.unwrap_or_default(),
+            authors: head.authors,
+            language: head.language,
+            order: head.order.map(|stems| stems.into_iter().zip(order_places(&fields)).collect()),
+            bibliography: head.bibliography.map(|file| format!("{CHAPTERS}/{file}")),
+            allow_html: head.allow_html,
+            ..configuration
+        };
+    }
+    if let Some(seed) = read_defaults(&mut fields) {
+        configuration.seed = seed;
+    }
+    configuration.macros = read_macros(&mut fields);
+    let known: Vec<&str> = Head::docs().iter().map(|doc| doc.name).chain(["defaults", "math"]).collect();
+    fields.finish(&known);
+    diagnostics.extend(fields.complaints.into_iter().map(|complaint| located(complaint, source)));
+    check_bibliography(&configuration, workspace, source, diagnostics);
+    configuration
+}
+
+/// A complaint of a TOML file, at its place.
+pub(super) fn located(complaint: Complaint, source: &Source) -> Diagnostic {
+    let code = if complaint.code == Code::MissingKey { Code::Configuration } else { complaint.code };
+    let mut diagnostic = Diagnostic::error(code, complaint.message).at(&source.path, complaint.range);
+    diagnostic.help = complaint.help;
+    diagnostic
+}
+
+fn order_places(fields: &Fields<'_>) -> Vec<Range<usize>> {
+    match fields.value("order").map(|value| (value.span(), value.get_ref())) {
+        Some((_, DeValue::Array(elements))) => elements.iter().map(toml::Spanned::span).collect(),
+        Some((span, _)) => vec![span],
+        None => Vec::new(),
+    }
+}
+
+fn read_defaults(fields: &mut Fields<'_>) -> Option<u64> {
+    let table = fields.table("defaults")?;
+    let mut inner = Fields::plain(table);
+    let defaults = Defaults::read(&mut inner);
+    inner.finish(&["seed"]);
+    fields.complaints.append(&mut inner.complaints);
+    defaults.map(|defaults| defaults.seed as u64)
+}
+
+fn read_macros(fields: &mut Fields<'_>) -> BTreeMap<String, String> {
+    let mut macros = BTreeMap::new();
+    let Some(table) = fields.table("math") else { return macros };
+    let mut math = Fields::plain(table);
+    if let Some(written) = math.table("macros") {
+        for (name, value) in written {
+            match value.get_ref().as_str() {
+                Some(text) => drop(macros.insert(name.get_ref().trim_start_matches('\\').to_owned(), text.to_owned())),
+                None => math.complaints.push(Complaint::new(Code::WrongType, value.span(), "a macro is a string of LaTeX")),
+            }
+        }
+    }
+    math.finish(&["macros"]);
+    fields.complaints.append(&mut math.complaints);
+    macros
+}
+
+fn check_bibliography(
+    configuration: &Configuration,
+    workspace: &Workspace,
+    source: &Source,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let Some(path) = &configuration.bibliography else { return };
+    if workspace.text(path).is_none() {
+        let range = source.text.find("bibliography").map_or(0..0, |start| start..start + "bibliography".len());
+        let error = Diagnostic::error(Code::MissingInclude, format!("there is no bibliography `{path}`"));
+        diagnostics.push(error.at(&source.path, range).help(format!("the path starts at `{CHAPTERS}/`; the file is BibLaTeX, `.bib`")));
+    }
+}
+
+/// The chapters in the order of the book. A listed one that is missing, and one that is not listed, are told.
+pub(super) fn ordered_chapters<'w>(
+    configuration: &Configuration,
+    workspace: &'w Workspace,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<&'w Source> {
+    let file: Arc<str> = CONFIGURATION.into();
+    let all: Vec<&Source> = workspace.chapters().collect();
+    let Some(order) = &configuration.order else { return all };
+    let stem = |source: &&Source| chapter_stem(&source.path).unwrap_or_default().to_owned();
+    let mut chosen = Vec::new();
+    for (listed, range) in order {
+        if let Some(source) = all.iter().find(|source| stem(source) == *listed) {
+            chosen.push(*source);
+        } else {
+            let stems: Vec<String> = all.iter().map(stem).collect();
+            let near = nearest(listed, stems.iter().map(String::as_str)).map(|near| format!("did you mean `{near}`?"));
+            let error = Diagnostic::error(Code::ChapterOrder, format!("there is no chapter `{CHAPTERS}/{listed}.md`"));
+            diagnostics.push(error.at(&file, range.clone()).help_if(near));
+        }
+    }
+    for source in &all {
+        if !order.iter().any(|(listed, _)| *listed == stem(source)) {
+            let error = Diagnostic::warning(Code::ChapterOrder, format!("the chapter `{}` is not in the book", source.path));
+            diagnostics.push(error.help(format!("add `\"{}\"` to `order` in {CONFIGURATION}, or remove the file", stem(source))));
+        }
+    }
+    chosen
+}

@@ -1,0 +1,52 @@
+//! A chapter's front matter: TOML between two lines of `+++`.
+
+use std::ops::Range;
+
+use toml::de::DeTable;
+
+use crate::diag::{Code, Diagnostic};
+use crate::parameters::{Fields, Parameters, parameters};
+use crate::workspace::Source;
+
+parameters! {
+    /// The keys of a chapter's front matter.
+    pub struct Written {
+        /// The chapter's title.
+        title: String,
+        /// What the chapter is about, in a sentence.
+        summary: String,
+    }
+}
+
+/// A chapter's title and summary.
+#[derive(Debug, Clone, Default)]
+pub struct FrontMatter {
+    /// The chapter's title.
+    pub title: String,
+    /// What the chapter is about, in a sentence.
+    pub summary: String,
+}
+
+/// Reads the front matter at `range` of a chapter; what is missing or wrong is told.
+pub(super) fn read(range: Option<Range<usize>>, source: &Source, diagnostics: &mut Vec<Diagnostic>) -> FrontMatter {
+    let Some(range) = range else {
+        let error = Diagnostic::error(Code::MissingKey, "the chapter has no front matter").at(&source.path, 0..0);
+        diagnostics.push(error.help("begin it with lines `+++`, `title = \"…\"`, `summary = \"…\"`, `+++`"));
+        return FrontMatter::default();
+    };
+    let shift = |inner: Range<usize>| range.start + inner.start..range.start + inner.end;
+    let (table, errors) = DeTable::parse_recoverable(&source.text[range.clone()]);
+    for error in errors {
+        let place = shift(error.span().unwrap_or(0..0));
+        diagnostics.push(Diagnostic::error(Code::Toml, error.message().to_owned()).at(&source.path, place));
+    }
+    let mut fields = Fields::plain(table.get_ref());
+    let written = Written::read(&mut fields);
+    fields.finish(&["title", "summary"]);
+    for complaint in fields.complaints {
+        let mut diagnostic = Diagnostic::error(complaint.code, complaint.message).at(&source.path, shift(complaint.range));
+        diagnostic.help = complaint.help;
+        diagnostics.push(diagnostic);
+    }
+    written.map_or_else(FrontMatter::default, |written| FrontMatter { title: written.title, summary: written.summary })
+}

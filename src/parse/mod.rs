@@ -1,0 +1,85 @@
+//! Chapters to nodes with places. Every complaint of every chapter is collected; nothing stops at the first.
+//!
+//! Markdown goes through `pulldown-cmark` and stays at the level of its events: no text is changed before it is parsed,
+//! so that every place is true to the file.
+
+mod callout;
+mod configuration;
+mod events;
+mod fence;
+mod front_matter;
+mod inline;
+mod node;
+mod source_map;
+
+use std::sync::Arc;
+
+use crate::diag::Diagnostic;
+use crate::workspace::{self, Workspace};
+
+pub use configuration::Configuration;
+pub use events::{inline as caption, parser_options};
+pub use fence::Fence;
+pub use front_matter::FrontMatter;
+pub use node::{Callout, CalloutKind, Cited, Formula, Label, Node, ValueUse, What};
+pub use source_map::SourceMap;
+
+/// A chapter as written.
+#[derive(Debug, Clone)]
+pub struct Chapter {
+    /// The file, from the course's root.
+    pub file: Arc<str>,
+    /// The file's stem, e.g. `01-history`.
+    pub stem: String,
+    /// The stem without its leading number, e.g. `history`: the page's name.
+    pub slug: String,
+    /// Title and summary.
+    pub front: FrontMatter,
+    /// What it consists of.
+    pub content: Content,
+}
+
+/// The pieces of a chapter in order, and its fences.
+#[derive(Debug, Clone, Default)]
+pub struct Content {
+    /// The pieces in order.
+    pub nodes: Vec<Node>,
+    /// The `experiment` fences, in order.
+    pub experiments: Vec<Fence>,
+    /// The `listing` fences, in order.
+    pub listings: Vec<Fence>,
+}
+
+/// The course as written: its configuration and its chapters in the reader's order.
+#[derive(Debug, Clone)]
+pub struct Course {
+    /// `workbook.toml`.
+    pub configuration: Configuration,
+    /// The chapters in the order of the book.
+    pub chapters: Vec<Chapter>,
+}
+
+/// Parses the whole course.
+pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
+    let mut diagnostics = Vec::new();
+    let configuration = configuration::read(workspace, &mut diagnostics);
+    let sources = configuration::ordered_chapters(&configuration, workspace, &mut diagnostics);
+    let chapters =
+        sources.into_iter().map(|source| chapter(source, &configuration, workspace, &mut diagnostics)).collect();
+    (Course { configuration, chapters }, diagnostics)
+}
+
+/// Parses one chapter.
+fn chapter(
+    source: &workspace::Source,
+    configuration: &Configuration,
+    workspace: &Workspace,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Chapter {
+    let stem = workspace::chapter_stem(&source.path).unwrap_or_default().to_owned();
+    let slug = stem.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start_matches('-').to_owned();
+    let (events, front) = events::split_front_matter(&source.text);
+    let front = front_matter::read(front, source, diagnostics);
+    let content = events::read(events, source, configuration.allow_html, workspace, diagnostics);
+    Chapter { file: Arc::clone(&source.path), slug: if slug.is_empty() { stem.clone() } else { slug }, stem, front, content }
+}

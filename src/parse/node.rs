@@ -1,0 +1,137 @@
+//! What a chapter consists of: markdown's own events, and what the workbook adds to them, each with its place.
+
+use std::ops::Range;
+
+use pulldown_cmark::Event;
+
+use super::source_map::SourceMap;
+
+/// A piece of a chapter and the bytes of the file that it was read from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// What it is.
+    pub what: What,
+    /// Where it stands in the chapter's file.
+    pub range: Range<usize>,
+}
+
+/// What a piece of a chapter is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum What {
+    /// An event of plain markdown.
+    Markdown(Event<'static>),
+    /// A formula within a line.
+    Formula(Formula),
+    /// A formula on lines of its own.
+    Equation {
+        /// The formula.
+        formula: Formula,
+        /// Its `eq-` label, if it is numbered.
+        label: Option<Label>,
+    },
+    /// The experiment with this index in the chapter.
+    Experiment(usize),
+    /// The listing with this index in the chapter.
+    Listing(usize),
+    /// A number that an experiment gives.
+    Value(ValueUse),
+    /// A reference to a label anywhere in the book.
+    Reference(String),
+    /// Citations in one pair of brackets.
+    Citation(Vec<Cited>),
+    /// The start of a callout.
+    CalloutStart(Callout),
+    /// The end of a callout.
+    CalloutEnd(CalloutKind),
+}
+
+/// A formula in LaTeX.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Formula {
+    /// The LaTeX between the dollars.
+    pub tex: String,
+    /// Where each byte of it stands in the file.
+    pub map: SourceMap,
+}
+
+/// An id that references can name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Label {
+    /// The id, e.g. `eq-estimator`.
+    pub id: String,
+    /// Where it stands in the chapter's file.
+    pub range: Range<usize>,
+}
+
+/// A number in prose that is taken from a result: `` `=fig-rmse.slope.independent:.2` ``.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ValueUse {
+    /// The exhibit's id.
+    pub exhibit: String,
+    /// The value's dotted name.
+    pub name: String,
+    /// How it is written, as the author gave it after the colon; empty for the default.
+    pub format: String,
+}
+
+/// One work of a citation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Cited {
+    /// Its key in the bibliography.
+    pub key: String,
+    /// Where in the work, e.g. `p. 12`; may be empty.
+    pub locator: String,
+    /// Where the key stands in the chapter's file.
+    pub range: Range<usize>,
+}
+
+/// A callout's head.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Callout {
+    /// What kind it is.
+    pub kind: CalloutKind,
+    /// Its label, if it has one.
+    pub label: Option<Label>,
+    /// Its title within the line of the mark; may be empty.
+    pub title: Vec<Node>,
+}
+
+macro_rules! callouts {
+    ($($variant:ident $name:literal $title:literal $prefix:expr, $folded:literal;)+) => {
+        /// The kinds of callout.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum CalloutKind { $(#[doc = concat!("`[!", $name, "]`.")] $variant,)+ }
+
+        impl CalloutKind {
+            /// Every kind.
+            pub const ALL: &'static [CalloutKind] = &[$(CalloutKind::$variant,)+];
+
+            /// The name between the brackets, e.g. `NOTE`.
+            pub fn name(self) -> &'static str { match self { $(CalloutKind::$variant => $name,)+ } }
+
+            /// The title that a reader sees, e.g. `Note`.
+            pub fn title(self) -> &'static str { match self { $(CalloutKind::$variant => $title,)+ } }
+
+            /// The prefix of its labels if it is numbered, e.g. `exr`.
+            pub fn prefix(self) -> Option<&'static str> { match self { $(CalloutKind::$variant => $prefix,)+ } }
+
+            /// Whether the reader opens it by choice.
+            pub fn folded(self) -> bool { match self { $(CalloutKind::$variant => $folded,)+ } }
+        }
+    };
+}
+
+callouts! {
+    Note "NOTE" "Note" None, false;
+    Tip "TIP" "Tip" None, false;
+    Important "IMPORTANT" "Important" None, false;
+    Warning "WARNING" "Warning" None, false;
+    Caution "CAUTION" "Caution" None, false;
+    Goals "GOALS" "Learning goals" None, false;
+    Remember "REMEMBER" "What to remember" None, false;
+    Bug "BUG" "Spot the bug" None, false;
+    Definition "DEFINITION" "Definition" Some("def"), false;
+    Exercise "EXERCISE" "Exercise" Some("exr"), false;
+    Hint "HINT" "Hint" None, true;
+    Solution "SOLUTION" "Solution" None, true;
+}

@@ -1,0 +1,51 @@
+//! The bibliography: the works that chapters can cite, read from a BibLaTeX file.
+
+use hayagriva::io::{BibLaTeXError, from_biblatex_str};
+use hayagriva::{Entry, Library};
+
+use crate::diag::{Code, Diagnostic};
+use crate::parse::Course;
+use crate::workspace::Workspace;
+
+/// The works that chapters can cite.
+#[derive(Debug, Default)]
+pub struct Bibliography {
+    library: Library,
+}
+
+impl Bibliography {
+    /// Whether it has a work with this key.
+    pub fn contains(&self, key: &str) -> bool {
+        self.library.get(key).is_some()
+    }
+
+    /// The work with this key.
+    pub fn get(&self, key: &str) -> Option<&Entry> {
+        self.library.get(key)
+    }
+
+    /// The keys of all works, in the order of the file.
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
+        self.library.keys()
+    }
+}
+
+/// Reads the course's bibliography; what is wrong in it is told.
+pub(super) fn read(course: &Course, workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> Bibliography {
+    let source = course.configuration.bibliography.as_deref().and_then(|path| workspace.text(path));
+    let Some(source) = source else { return Bibliography::default() };
+    match from_biblatex_str(&source.text) {
+        Ok(library) => Bibliography { library },
+        Err(errors) => {
+            for error in errors {
+                let (range, message) = match error {
+                    BibLaTeXError::Parse(error) => (error.span, error.kind.to_string()),
+                    BibLaTeXError::Type(error) => (error.span, error.kind.to_string()),
+                };
+                let message = format!("the bibliography cannot be read: {message}");
+                diagnostics.push(Diagnostic::error(Code::Bibliography, message).at(&source.path, range));
+            }
+            Bibliography::default()
+        }
+    }
+}

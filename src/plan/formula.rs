@@ -1,0 +1,77 @@
+//! Formulas: LaTeX to MathML, in one place, so that a malformed one is told before anything runs.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+
+use crate::diag::{Code, Diagnostic};
+use crate::workspace::CONFIGURATION;
+
+/// Turns LaTeX into MathML Core with the course's macros.
+pub struct Converter {
+    converter: LatexToMathML,
+}
+
+/// Why a formula cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FormulaError {
+    /// The bytes of the formula that are wrong; may be empty.
+    pub range: Range<usize>,
+    /// What is wrong.
+    pub message: String,
+}
+
+impl Converter {
+    /// A converter with the course's macros; one that cannot be read is told, and then none are known.
+    pub fn new(macros: &BTreeMap<String, String>, diagnostics: &mut Vec<Diagnostic>) -> Self {
+        let macros = macros.iter().map(|(name, text)| (name.clone(), text.clone())).collect();
+        let converter = LatexToMathML::new(MathCoreConfig { macros, ..MathCoreConfig::default() });
+        let converter = converter.unwrap_or_else(|(error, _, text)| {
+            let message = format!("the macro `{text}` cannot be read: {}", error.error_message());
+            diagnostics.push(Diagnostic::error(Code::Configuration, message).at(&CONFIGURATION.into(), 0..0));
+            LatexToMathML::default()
+        });
+        Self { converter }
+    }
+
+    /// The MathML of a formula; `display` if it stands on lines of its own.
+    pub fn convert(&self, tex: &str, display: bool) -> Result<String, FormulaError> {
+        let display = if display { MathDisplay::Block } else { MathDisplay::Inline };
+        match self.converter.convert_with_local_state(tex, display) {
+            Ok(result) => Ok(result.mathml),
+            Err(error) => Err(FormulaError { range: within(tex, &error.0), message: error.error_message() }),
+        }
+    }
+}
+
+/// The range cut to the formula and to whole characters; an empty one at the end marks the last character.
+fn within(tex: &str, range: &Range<usize>) -> Range<usize> {
+    let start = tex.floor_char_boundary(range.start.min(tex.len()));
+    let end = tex.ceil_char_boundary(range.end.clamp(start, tex.len()));
+    if start == end && !tex.is_empty() { tex.floor_char_boundary(start.min(tex.len() - 1))..tex.len().min(start + 1) } else { start..end }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Converter, within};
+    use std::collections::BTreeMap;
+
+    #[test]
+    fn a_macro_is_known_and_a_malformed_formula_is_placed() {
+        let macros = BTreeMap::from([("E".to_owned(), r"\operatorname{E}".to_owned())]);
+        let mut diagnostics = Vec::new();
+        let converter = Converter::new(&macros, &mut diagnostics);
+        assert!(diagnostics.is_empty());
+        assert!(converter.convert(r"\E[Y] = \int f\,p", false).is_ok_and(|mathml| mathml.contains("<math")));
+        let error = converter.convert(r"a + \fraq{1}{2}", false).expect_err("no such command");
+        assert_eq!(&r"a + \fraq{1}{2}"[error.range], r"\fraq");
+    }
+
+    #[test]
+    fn a_range_behind_the_end_marks_the_last_character() {
+        assert_eq!(within("ab", &(2..2)), 1..2);
+        assert_eq!(within("aé", &(3..9)), 1..3);
+        assert_eq!(within("", &(0..1)), 0..0);
+    }
+}

@@ -1,0 +1,131 @@
+//! Listing fences: code of this very library, as it was compiled, or a file of the course.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use toml::de::DeTable;
+
+use super::exhibit::{Quoted, bad_id, tell};
+use super::Reading;
+use crate::diag::{Code, Diagnostic, Place};
+use crate::parameters::{Complaint, Fields, Parameters, parameters};
+use crate::parse::{self, Fence, Node};
+use crate::catalogue::nearest;
+use crate::run::code;
+use crate::workspace::CHAPTERS;
+
+parameters! {
+    /// The keys of a listing fence.
+    pub struct Written {
+        /// The id of the listing, `lst-…`.
+        id: String,
+        /// What to see in it.
+        caption: String,
+        /// The item of the library to show, e.g. `samplers::halton::radical_inverse`.
+        item: Option<String>,
+        /// A file of the course to show instead, from the chapters' folder; it is shown, not run.
+        file: Option<String>,
+    }
+}
+
+/// Code that the book shows.
+#[derive(Debug, Clone)]
+pub struct Listing {
+    /// Its id, e.g. `lst-radical-inverse`.
+    pub id: String,
+    /// The index of its chapter.
+    pub chapter: usize,
+    /// The fence's first line.
+    pub place: Place,
+    /// The caption's nodes.
+    pub caption: Vec<Node>,
+    /// The code.
+    pub code: String,
+    /// The language of the code, by the ending of its file.
+    pub language: String,
+    /// Where it stands, e.g. `src/samplers/halton.rs:41`.
+    pub source: String,
+}
+
+/// Reads every listing fence of a chapter; gives for each the index of its listing, unless it is wrong.
+pub(super) fn read_all(
+    reading: &Reading<'_>,
+    listings: &mut Vec<Listing>,
+    broken: &mut BTreeSet<String>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Option<usize>> {
+    let mut indices = Vec::new();
+    for fence in &reading.chapter.content.listings {
+        let listing = read(fence, reading, broken, diagnostics);
+        indices.push(listing.is_some().then_some(listings.len()));
+        listings.extend(listing);
+    }
+    indices
+}
+
+fn read(
+    fence: &Fence,
+    reading: &Reading<'_>,
+    broken: &mut BTreeSet<String>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Listing> {
+    let file = &reading.chapter.file;
+    let before = diagnostics.len();
+    let (table, errors) = DeTable::parse_recoverable(&fence.text);
+    for error in errors {
+        let range = fence.map.range(error.span().unwrap_or(0..0));
+        diagnostics.push(Diagnostic::error(Code::Toml, error.message().to_owned()).at(file, range));
+    }
+    let mut fields = Fields::plain(table.get_ref());
+    let written = Written::read(&mut fields);
+    let caption = Quoted::read(&mut fields, "caption");
+    fields.finish(&["id", "caption", "item", "file"]);
+    let code = written.as_ref().and_then(|written| find_code(written, reading, &mut fields));
+    if let Some(complaint) = written.as_ref().and_then(|written| bad_id(&written.id, &["lst"], fields.place("id"))) {
+        fields.complaints.push(complaint);
+    }
+    tell(fields.complaints, fence, reading, diagnostics);
+    let caption =
+        caption.map(|caption| parse::caption(&caption.text, file, caption.map(fence), reading.workspace, diagnostics));
+    if diagnostics.len() > before {
+        broken.extend(written.map(|written| written.id));
+        return None;
+    }
+    let head = fence.head(&reading.workspace.text(file)?.text);
+    let (code, language, source) = code?;
+    let place = Place { file: Arc::clone(file), range: head };
+    Some(Listing { id: written?.id, chapter: reading.index, place, caption: caption?, code, language, source })
+}
+
+/// The code that a listing names, with its language and where it stands.
+fn find_code(written: &Written, reading: &Reading<'_>, fields: &mut Fields<'_>) -> Option<(String, String, String)> {
+    match (&written.item, &written.file) {
+        (Some(item), None) => {
+            let found = code::item(item);
+            if found.is_none() {
+                let complaint = Complaint::new(Code::UnknownItem, fields.place("item"), format!("the library has no item `{item}`"));
+                let complaint = complaint
+                    .help_if(nearest(item, code::items().iter().map(String::as_str)).map(|near| format!("did you mean `{near}`?")))
+                    .help("name it by its path below the crate, e.g. `samplers::halton::radical_inverse`");
+                fields.complaints.push(complaint);
+            }
+            found.map(|item| (item.text, "rust".to_owned(), format!("src/{}:{}", item.file, item.first_line)))
+        }
+        (None, Some(file)) => {
+            let path = format!("{CHAPTERS}/{file}");
+            let found = reading.workspace.text(&path);
+            if found.is_none() {
+                let complaint = Complaint::new(Code::MissingInclude, fields.place("file"), format!("there is no file `{path}`"));
+                fields.complaints.push(complaint.help(format!("paths start at `{CHAPTERS}/`")));
+            }
+            let language = file.rsplit_once('.').map_or("text", |(_, extension)| extension).to_owned();
+            found.map(|source| (source.text.to_string(), language, format!("{path}:1")))
+        }
+        _ => {
+            let place = fields.place("id");
+            let complaint = Complaint::new(Code::MissingKey, place, "a listing shows either an item or a file");
+            fields.complaints.push(complaint.help("write `item = \"samplers::halton::radical_inverse\"`, or `file = \"code/halton.c\"`"));
+            None
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! The plan: all that is due. Written experiments become validated ones with keys; labels get their numbers; what refers to
+//! nothing is told. Later stages cannot see the raw form.
+
+mod bibliography;
+mod claim;
+mod exhibit;
+mod format;
+mod formula;
+mod labels;
+pub mod links;
+mod listing;
+mod references;
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use crate::diag::{Diagnostic, Place};
+use crate::kinds::Experiment;
+use crate::parse::{Chapter, Course, Node};
+use crate::workspace::Workspace;
+
+pub use bibliography::Bibliography;
+pub use format::Format;
+pub use formula::Converter;
+pub(crate) use format::{escape, minus};
+pub use claim::{Bound, Claim, Literal};
+pub use labels::{LabelKind, Labels, Section, Target};
+pub use listing::Listing;
+
+/// All that is due for a book.
+pub struct Plan {
+    /// The exhibits in the book's order.
+    pub exhibits: Vec<Exhibit>,
+    /// The listings in the book's order.
+    pub listings: Vec<Listing>,
+    /// What every label names.
+    pub labels: Labels,
+    /// The works that chapters cite.
+    pub bibliography: Bibliography,
+    /// The ids of fences that are wrong: what refers to them is not to blame.
+    pub broken: BTreeSet<String>,
+    /// For each chapter, the exhibit of each of its experiment fences.
+    pub exhibit_of: Vec<Vec<Option<usize>>>,
+    /// For each chapter, the listing of each of its listing fences.
+    pub listing_of: Vec<Vec<Option<usize>>>,
+}
+
+/// A figure or table that the book shows, with the experiment that gives it.
+pub struct Exhibit {
+    /// Its id, e.g. `fig-rmse-1d`.
+    pub id: String,
+    /// The index of its chapter.
+    pub chapter: usize,
+    /// The fence's first line.
+    pub place: Place,
+    /// The caption's nodes.
+    pub caption: Vec<Node>,
+    /// The author's text for those who cannot see it, if there is one.
+    pub alt: Option<String>,
+    /// What it claims of its values.
+    pub claims: Vec<Claim>,
+    /// The seed of its experiment.
+    pub seed: u64,
+    /// The experiment.
+    pub experiment: Arc<dyn Experiment>,
+}
+
+/// Plans the book. Every complaint is collected; exhibits that are wrong are left out of the plan.
+pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
+    let mut diagnostics = Vec::new();
+    let bibliography = bibliography::read(course, workspace, &mut diagnostics);
+    let mut plan = Plan {
+        exhibits: Vec::new(),
+        listings: Vec::new(),
+        labels: Labels::default(),
+        bibliography,
+        broken: BTreeSet::new(),
+        exhibit_of: Vec::new(),
+        listing_of: Vec::new(),
+    };
+    for (index, chapter) in course.chapters.iter().enumerate() {
+        let reading = Reading { chapter, index, seed: course.configuration.seed, workspace };
+        plan.exhibit_of.push(exhibit::read_all(&reading, &mut plan.exhibits, &mut plan.broken, &mut diagnostics));
+        plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut plan.broken, &mut diagnostics));
+    }
+    plan.labels = labels::number(course, &plan, &mut diagnostics);
+    references::check(course, &plan, &mut diagnostics);
+    (plan, diagnostics)
+}
+
+/// What reading a chapter's fences needs to know.
+struct Reading<'a> {
+    chapter: &'a Chapter,
+    index: usize,
+    seed: u64,
+    workspace: &'a Workspace,
+}
+
+impl Plan {
+    /// The exhibit with this id.
+    pub fn exhibit(&self, id: &str) -> Option<&Exhibit> {
+        self.exhibits.iter().find(|exhibit| exhibit.id == id)
+    }
+}

@@ -1,0 +1,111 @@
+//! What refers to something: references, citations, values and formulas, each checked before anything runs.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use pulldown_cmark::{Event, Tag};
+
+use super::Plan;
+use super::format::Format;
+use super::formula::Converter;
+use super::links::{self, BadLink};
+use crate::catalogue::nearest;
+use crate::diag::{Code, Diagnostic};
+use crate::parse::{Callout, Cited, Course, Formula, Node, ValueUse, What};
+
+/// Checks everything that refers to something, in chapters, captions and titles.
+pub(super) fn check(course: &Course, plan: &Plan, diagnostics: &mut Vec<Diagnostic>) {
+    let converter = Converter::new(&course.configuration.macros, diagnostics);
+    for (index, chapter) in course.chapters.iter().enumerate() {
+        let mut checking = Checking { file: &chapter.file, course, plan, converter: &converter, diagnostics };
+        checking.nodes(&chapter.content.nodes);
+        for exhibit in plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index) {
+            checking.nodes(&exhibit.caption);
+        }
+        for listing in plan.listings.iter().filter(|listing| listing.chapter == index) {
+            checking.nodes(&listing.caption);
+        }
+    }
+}
+
+struct Checking<'a> {
+    file: &'a Arc<str>,
+    course: &'a Course,
+    plan: &'a Plan,
+    converter: &'a Converter,
+    diagnostics: &'a mut Vec<Diagnostic>,
+}
+
+impl Checking<'_> {
+    fn nodes(&mut self, nodes: &[Node]) {
+        for node in nodes {
+            match &node.what {
+                What::Reference(id) => self.reference(id, &node.range),
+                What::Citation(cited) => cited.iter().for_each(|cited| self.citation(cited)),
+                What::Value(value) => self.value(value, &node.range),
+                What::Formula(formula) => self.formula(formula, false, &node.range),
+                What::Equation { formula, .. } => self.formula(formula, true, &node.range),
+                What::CalloutStart(Callout { title, .. }) => self.nodes(title),
+                What::Markdown(Event::Start(Tag::Link { dest_url, .. })) => self.link(dest_url, &node.range),
+                _ => {}
+            }
+        }
+    }
+
+    fn tell(&mut self, code: Code, message: String, range: &Range<usize>, help: impl IntoIterator<Item = String>) {
+        let mut diagnostic = Diagnostic::error(code, message).at(self.file, range.clone());
+        diagnostic.help.extend(help);
+        self.diagnostics.push(diagnostic);
+    }
+
+    fn reference(&mut self, id: &str, range: &Range<usize>) {
+        if self.plan.labels.target(id).is_none() && !self.plan.broken.contains(id) {
+            let near = nearest(id, self.plan.labels.ids()).map(|near| format!("did you mean `@{near}`?"));
+            self.tell(Code::MissingTarget, format!("nothing in the book has the id `{id}`"), range, near);
+        }
+    }
+
+    fn citation(&mut self, cited: &Cited) {
+        if !self.plan.bibliography.contains(&cited.key) {
+            let near = nearest(&cited.key, self.plan.bibliography.keys()).map(|near| format!("did you mean `@{near}`?"));
+            let message = format!("the bibliography has no work `{}`", cited.key);
+            self.tell(Code::UnknownCitation, message, &cited.range, near);
+        }
+    }
+
+    /// The exhibit of a value; whether it gives the value is known once it has run.
+    fn value(&mut self, value: &ValueUse, range: &Range<usize>) {
+        if self.plan.exhibit(&value.exhibit).is_none() && !self.plan.broken.contains(&value.exhibit) {
+            let ids = self.plan.exhibits.iter().map(|exhibit| exhibit.id.as_str());
+            let near = nearest(&value.exhibit, ids).map(|near| format!("did you mean `{near}`?"));
+            self.tell(Code::UnknownValue, format!("there is no exhibit `{}`", value.exhibit), range, near);
+        }
+        if let Err(message) = Format::parse(&value.format) {
+            let help = "formats are `.3` decimals, `.3e` powers of ten, `.3g` significant digits, `.1%` per cent, `d` a whole number, `.3±` with its standard error";
+            self.tell(Code::Format, message, range, [help.to_owned()]);
+        }
+    }
+
+    fn link(&mut self, url: &str, range: &Range<usize>) {
+        match links::resolve(url, self.course) {
+            Ok(_) => {}
+            Err(BadLink::Scheme) => {
+                let help = "links are of the kinds `http`, `https` and `mailto`, or lead to a place in the book";
+                self.tell(Code::Markup, format!("`{url}` is of a kind that a page must not hold"), range, [help.to_owned()]);
+            }
+            Err(BadLink::NoChapter) => {
+                let stems = self.course.chapters.iter().map(|chapter| chapter.stem.as_str());
+                let near = nearest(url, stems).map(|near| format!("did you mean `{near}.md`?"));
+                self.tell(Code::BrokenLink, format!("the book has no chapter `{url}`"), range, near);
+            }
+        }
+    }
+
+    fn formula(&mut self, formula: &Formula, display: bool, range: &Range<usize>) {
+        if let Err(error) = self.converter.convert(&formula.tex, display) {
+            let place = formula.map.range(error.range);
+            let place = if place.is_empty() { range.clone() } else { place };
+            self.tell(Code::Math, format!("the formula cannot be read: {}", error.message), &place, None);
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Citations and the bibliography, through a CSL processor and the style in `templates/citations.csl`.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use hayagriva::citationberg::{IndependentStyle, Locale, LocaleFile};
+use hayagriva::{BibliographyDriver, BibliographyRequest, BufWriteFormat, CitationItem, CitationRequest, Entry};
+
+use crate::diag::{Code, Diagnostic};
+use crate::parse::{Callout, Cited, Course, Node, What};
+use crate::plan::{Plan, escape};
+use crate::workspace::{TEMPLATES, Workspace};
+
+/// The style and the terms of its language.
+const STYLE: &str = "citations.csl";
+const LOCALE: &str = "citations-locale.xml";
+
+/// The formatted citations and list of works of a book.
+#[derive(Default)]
+pub(super) struct Citations {
+    /// For each cited work, what stands in the text.
+    marks: BTreeMap<String, String>,
+    list: String,
+}
+
+impl Citations {
+    /// Formats the works that the course cites.
+    pub(super) fn format(course: &Course, plan: &Plan, workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> Self {
+        let cited = cited(course, plan);
+        let entries: Vec<&Entry> = cited.iter().filter_map(|key| plan.bibliography.get(key)).collect();
+        let (style, locale) = (template(STYLE, workspace), template(LOCALE, workspace));
+        let style = IndependentStyle::from_xml(&style).map_err(|error| broken(STYLE, &error.to_string()));
+        let locale = LocaleFile::from_xml(&locale).map_err(|error| broken(LOCALE, &error.to_string()));
+        match (style, locale) {
+            (Ok(style), Ok(locale)) => Self::process(&entries, &style, &[locale.into()]),
+            (style, locale) => {
+                diagnostics.extend(style.err().into_iter().chain(locale.err()));
+                Self::default()
+            }
+        }
+    }
+
+    fn process(entries: &[&Entry], style: &IndependentStyle, locales: &[Locale]) -> Self {
+        let mut driver = BibliographyDriver::new();
+        for entry in entries {
+            driver.citation(CitationRequest::from_items(vec![CitationItem::with_entry(*entry)], style, locales));
+        }
+        let rendered = driver.finish(BibliographyRequest::new(style, None, locales));
+        let html = |children: &hayagriva::ElemChildren| {
+            let mut text = String::new();
+            let _ = children.write_buf(&mut text, BufWriteFormat::Html);
+            text
+        };
+        let marks = entries.iter().zip(&rendered.citations);
+        let marks = marks.map(|(entry, mark)| (entry.key().to_owned(), html(&mark.citation))).collect();
+        let mut list = String::from("<ol class=\"bibliography\">\n");
+        for item in rendered.bibliography.iter().flat_map(|bibliography| &bibliography.items) {
+            let _ = writeln!(list, "<li id=\"ref-{}\">{}</li>", escape(&item.key), html(&item.content));
+        }
+        list.push_str("</ol>\n");
+        Self { marks, list }
+    }
+
+    /// A work's mark in the text, linked to the list.
+    pub(super) fn link(&self, cited: &Cited) -> String {
+        let mark = self.marks.get(&cited.key).map(String::as_str).unwrap_or_default();
+        let locator = if cited.locator.is_empty() { String::new() } else { format!(", {}", escape(&cited.locator)) };
+        let mark = match mark.strip_suffix(']').or_else(|| mark.strip_suffix(')')) {
+            Some(open) => format!("{open}{locator}{}", &mark[open.len()..]),
+            None => format!("{mark}{locator}"),
+        };
+        format!("<a class=\"citation\" href=\"bibliography.html#ref-{}\">{mark}</a>", escape(&cited.key))
+    }
+
+    /// The list of works, as HTML.
+    pub(super) fn list(&self) -> &str {
+        &self.list
+    }
+}
+
+fn template(name: &str, workspace: &Workspace) -> String {
+    let own = workspace.blobs.get(format!("{TEMPLATES}/{name}").as_str());
+    let bytes = own.map(|bytes| &**bytes).or_else(|| super::templates::embedded(name)).unwrap_or_default();
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn broken(name: &str, error: &str) -> Diagnostic {
+    Diagnostic::error(Code::Template, format!("`{TEMPLATES}/{name}` cannot be read: {error}"))
+}
+
+/// The keys of the works that the course cites, in the order of their first citation.
+fn cited(course: &Course, plan: &Plan) -> Vec<String> {
+    let mut keys = Vec::new();
+    for (index, chapter) in course.chapters.iter().enumerate() {
+        gather(&chapter.content.nodes, &mut keys);
+        plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index).for_each(|exhibit| gather(&exhibit.caption, &mut keys));
+        plan.listings.iter().filter(|listing| listing.chapter == index).for_each(|listing| gather(&listing.caption, &mut keys));
+    }
+    keys
+}
+
+fn gather(nodes: &[Node], keys: &mut Vec<String>) {
+    for node in nodes {
+        match &node.what {
+            What::Citation(cited) => {
+                for cited in cited {
+                    if !keys.contains(&cited.key) {
+                        keys.push(cited.key.clone());
+                    }
+                }
+            }
+            What::CalloutStart(Callout { title, .. }) => gather(title, keys),
+            _ => {}
+        }
+    }
+}

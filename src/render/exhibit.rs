@@ -1,0 +1,128 @@
+//! Exhibits and listings as the templates show them.
+
+use serde::Serialize;
+
+use super::markdown::Writer;
+use super::{Rendering, table};
+use crate::exhibits::Drawing;
+use crate::diag::Diagnostic;
+use crate::show::{Shown, Verdict};
+use crate::plan::{Listing, escape};
+
+#[derive(Serialize)]
+struct ExhibitPart<'a> {
+    exhibit: ExhibitContext<'a>,
+}
+
+#[derive(Serialize)]
+struct ExhibitContext<'a> {
+    id: &'a str,
+    class: &'static str,
+    label: String,
+    caption: String,
+    body: String,
+    alt: &'a str,
+    kind: &'static str,
+    seed: u64,
+    key: &'a str,
+    claims: Vec<ClaimContext>,
+    parameters: Vec<ParameterContext>,
+}
+
+#[derive(Serialize)]
+struct ClaimContext {
+    statement: String,
+    holds: bool,
+}
+
+#[derive(Serialize)]
+struct ParameterContext {
+    name: String,
+    value: String,
+}
+
+#[derive(Serialize)]
+struct ListingPart<'a> {
+    listing: ListingContext<'a>,
+}
+
+#[derive(Serialize)]
+struct ListingContext<'a> {
+    id: &'a str,
+    label: String,
+    caption: String,
+    code: String,
+    language: &'a str,
+    source: &'a str,
+}
+
+/// How many characters of a key a reader sees.
+const SHORT_KEY: usize = 12;
+
+/// The exhibit with this index in the plan.
+pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Diagnostic>) {
+    let exhibit = &rendering.plan.exhibits[index];
+    let shown = &rendering.shown[index];
+    let (caption, mut diagnostics) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
+    let (class, body) = match &shown.drawing {
+        Drawing::Figure(figure) => ("figure", figure.svg.clone()),
+        Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter)),
+    };
+    let context = ExhibitContext {
+        id: &exhibit.id,
+        class,
+        label: label(rendering, &exhibit.id),
+        caption,
+        body,
+        alt: &shown.alt,
+        kind: exhibit.experiment.kind().about().key,
+        seed: exhibit.seed,
+        key: &shown.key[..SHORT_KEY.min(shown.key.len())],
+        claims: shown.verdicts.iter().map(claim).collect(),
+        parameters: parameters(shown, exhibit),
+    };
+    let html = rendering.templates.fill("exhibit.html", &ExhibitPart { exhibit: context }, &mut diagnostics);
+    (html, diagnostics)
+}
+
+/// A listing with its caption and where its code stands.
+pub(super) fn listing(rendering: &Rendering<'_>, listing: &Listing) -> (String, Vec<Diagnostic>) {
+    let (caption, mut diagnostics) = Writer::new(rendering, listing.chapter).inline(&listing.caption);
+    let context = ListingContext {
+        id: &listing.id,
+        label: label(rendering, &listing.id),
+        caption,
+        code: escape(&listing.code),
+        language: &listing.language,
+        source: &listing.source,
+    };
+    let html = rendering.templates.fill("listing.html", &ListingPart { listing: context }, &mut diagnostics);
+    (html, diagnostics)
+}
+
+/// What a reader calls the thing with this id, e.g. `Figure 2.3`.
+fn label(rendering: &Rendering<'_>, id: &str) -> String {
+    rendering.plan.labels.target(id).map_or_else(String::new, |target| format!("{} {}", target.kind.word(), target.number))
+}
+
+fn claim(verdict: &Verdict) -> ClaimContext {
+    let statement = format!("<code>{}</code> = {} <span class=\"bound\">(claimed: {})</span>", escape(&verdict.value), verdict.measured_html(), verdict.bound_html());
+    ClaimContext { statement, holds: verdict.holds }
+}
+
+fn parameters(shown: &Shown, exhibit: &crate::plan::Exhibit) -> Vec<ParameterContext> {
+    let _ = shown;
+    let serde_json::Value::Object(parameters) = exhibit.experiment.parameters() else { return Vec::new() };
+    let text = |value: &serde_json::Value| match value {
+        serde_json::Value::String(text) => text.clone(),
+        serde_json::Value::Array(items) => {
+            items.iter().map(|item| item.as_str().map_or_else(|| item.to_string(), str::to_owned)).collect::<Vec<_>>().join(", ")
+        }
+        other => other.to_string(),
+    };
+    parameters
+        .iter()
+        .filter(|(_, value)| !value.is_null())
+        .map(|(name, value)| ParameterContext { name: name.clone(), value: text(value) })
+        .collect()
+}

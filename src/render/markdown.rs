@@ -1,0 +1,351 @@
+//! From nodes to HTML: one function per kind of node.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use pulldown_cmark::{Alignment, CodeBlockKind, Event, HeadingLevel, Tag, TagEnd};
+
+use super::Rendering;
+use crate::diag::Diagnostic;
+use crate::parse::{Callout, CalloutKind, Formula, Label, Node, ValueUse, What};
+use crate::plan::{Format, escape, links};
+
+/// Writes the nodes of one chapter.
+pub(super) struct Writer<'a> {
+    rendering: &'a Rendering<'a>,
+    chapter: usize,
+    out: String,
+    /// The node being written, as an index into the chapter; none within captions and titles.
+    at: Option<usize>,
+    footnotes: Footnotes,
+    table: TableState,
+    pub(super) diagnostics: Vec<Diagnostic>,
+}
+
+/// The footnotes of a page in the order of their first reference.
+#[derive(Default)]
+struct Footnotes {
+    order: Vec<String>,
+    texts: BTreeMap<String, String>,
+    /// The page's text while a footnote is being written.
+    outside: Option<(String, String)>,
+    /// How often each footnote has been referred to.
+    references: BTreeMap<String, usize>,
+}
+
+/// Where in a markdown table the writer is.
+#[derive(Default)]
+struct TableState {
+    alignments: Vec<Alignment>,
+    column: usize,
+    head: bool,
+}
+
+/// A chapter's HTML.
+pub(super) struct Written {
+    pub(super) body: String,
+    pub(super) footnotes: String,
+    pub(super) diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> Writer<'a> {
+    pub(super) fn new(rendering: &'a Rendering<'a>, chapter: usize) -> Self {
+        Self {
+            rendering,
+            chapter,
+            out: String::new(),
+            at: None,
+            footnotes: Footnotes::default(),
+            table: TableState::default(),
+            diagnostics: Vec::new(),
+        }
+    }
+
+    /// The whole chapter.
+    pub(super) fn chapter(mut self) -> Written {
+        let nodes = &self.rendering.course.chapters[self.chapter].content.nodes;
+        for (at, node) in nodes.iter().enumerate() {
+            self.at = Some(at);
+            self.node(node);
+        }
+        let footnotes = self.footnotes.list();
+        Written { body: self.out, footnotes, diagnostics: self.diagnostics }
+    }
+
+    /// Nodes within a line, such as a caption.
+    pub(super) fn inline(mut self, nodes: &[Node]) -> (String, Vec<Diagnostic>) {
+        nodes.iter().for_each(|node| self.node(node));
+        (self.out, self.diagnostics)
+    }
+
+    fn node(&mut self, node: &Node) {
+        match &node.what {
+            What::Markdown(event) => self.event(event),
+            What::Formula(formula) => self.formula(formula, false),
+            What::Equation { formula, label } => self.equation(formula, label.as_ref()),
+            What::Experiment(fence) => self.exhibit(*fence),
+            What::Listing(fence) => self.listing(*fence),
+            What::Value(value) => self.value(value),
+            What::Reference(id) => self.reference(id),
+            What::Citation(cited) => {
+                let keys: Vec<String> = cited.iter().map(|cited| self.rendering.citations.link(cited)).collect();
+                self.out.push_str(&keys.join(", "));
+            }
+            What::CalloutStart(callout) => self.callout(callout),
+            What::CalloutEnd(kind) => self.out.push_str(match kind {
+                kind if kind.folded() => "</details>\n",
+                kind if kind.prefix().is_some() => "</section>\n",
+                _ => "</aside>\n",
+            }),
+        }
+    }
+
+    fn event(&mut self, event: &Event<'_>) {
+        match event {
+            Event::Start(tag) => self.start(tag),
+            Event::End(tag) => self.end(*tag),
+            Event::Text(text) => self.out.push_str(&escape(text)),
+            Event::Code(code) => {
+                let _ = write!(self.out, "<code>{}</code>", escape(code));
+            }
+            Event::Html(html) | Event::InlineHtml(html) => self.out.push_str(html),
+            Event::SoftBreak => self.out.push('\n'),
+            Event::HardBreak => self.out.push_str("<br>\n"),
+            Event::Rule => self.out.push_str("<hr>\n"),
+            Event::FootnoteReference(name) => self.footnote_reference(name),
+            Event::TaskListMarker(done) => {
+                let checked = if *done { " checked" } else { "" };
+                let _ = write!(self.out, "<input type=\"checkbox\" disabled{checked}> ");
+            }
+            Event::InlineMath(_) | Event::DisplayMath(_) => {}
+        }
+    }
+
+    fn start(&mut self, tag: &Tag<'_>) {
+        match tag {
+            Tag::Paragraph => self.out.push_str("<p>"),
+            Tag::Heading { level, .. } => self.heading(*level),
+            Tag::BlockQuote(_) => self.out.push_str("<blockquote>\n"),
+            Tag::CodeBlock(kind) => self.code_block(kind),
+            Tag::List(None) => self.out.push_str("<ul>\n"),
+            Tag::List(Some(1)) => self.out.push_str("<ol>\n"),
+            Tag::List(Some(start)) => drop(write!(self.out, "<ol start=\"{start}\">\n")),
+            Tag::Item => self.out.push_str("<li>"),
+            Tag::FootnoteDefinition(name) => {
+                self.footnotes.outside = Some((name.to_string(), std::mem::take(&mut self.out)));
+            }
+            Tag::Table(alignments) => {
+                self.table = TableState { alignments: alignments.clone(), column: 0, head: false };
+                self.out.push_str("<div class=\"table-wrap\"><table>\n");
+            }
+            Tag::TableHead => {
+                self.table = TableState { head: true, column: 0, ..std::mem::take(&mut self.table) };
+                self.out.push_str("<thead><tr>");
+            }
+            Tag::TableRow => {
+                self.table.column = 0;
+                self.out.push_str("<tr>");
+            }
+            Tag::TableCell => self.cell(),
+            Tag::Emphasis => self.out.push_str("<em>"),
+            Tag::Strong => self.out.push_str("<strong>"),
+            Tag::Strikethrough => self.out.push_str("<del>"),
+            Tag::Link { dest_url, title, .. } => self.link(dest_url, title),
+            Tag::Image { dest_url, .. } => {
+                let _ = write!(self.out, "<img src=\"{}\" alt=\"", escape(dest_url));
+            }
+            _ => {}
+        }
+    }
+
+    fn end(&mut self, tag: TagEnd) {
+        match tag {
+            TagEnd::Paragraph => self.out.push_str("</p>\n"),
+            TagEnd::Heading(level) => self.heading_end(level),
+            TagEnd::BlockQuote(_) => self.out.push_str("</blockquote>\n"),
+            TagEnd::CodeBlock => self.out.push_str("</code></pre>\n"),
+            TagEnd::List(false) => self.out.push_str("</ul>\n"),
+            TagEnd::List(true) => self.out.push_str("</ol>\n"),
+            TagEnd::Item => self.out.push_str("</li>\n"),
+            TagEnd::FootnoteDefinition => self.footnotes.close(&mut self.out),
+            TagEnd::Table => self.out.push_str("</tbody></table></div>\n"),
+            TagEnd::TableHead => {
+                self.table.head = false;
+                self.out.push_str("</tr></thead>\n<tbody>\n");
+            }
+            TagEnd::TableRow => self.out.push_str("</tr>\n"),
+            TagEnd::TableCell => {
+                self.table.column += 1;
+                self.out.push_str(if self.table.head { "</th>" } else { "</td>" });
+            }
+            TagEnd::Emphasis => self.out.push_str("</em>"),
+            TagEnd::Strong => self.out.push_str("</strong>"),
+            TagEnd::Strikethrough => self.out.push_str("</del>"),
+            TagEnd::Link => self.out.push_str("</a>"),
+            TagEnd::Image => self.out.push_str("\">"),
+            _ => {}
+        }
+    }
+
+    fn heading(&mut self, level: HeadingLevel) {
+        let anchor = self.at.and_then(|at| self.rendering.plan.labels.anchor(self.chapter, at));
+        let (id, number) = anchor.map_or(("", ""), |anchor| (&anchor.id, &anchor.number));
+        let _ = write!(self.out, "<{level} id=\"{id}\"><span class=\"number\">{number}</span> ");
+    }
+
+    fn heading_end(&mut self, level: HeadingLevel) {
+        let at = self.at.unwrap_or_default();
+        let sections = self.rendering.plan.labels.sections(self.chapter);
+        if let Some(section) = sections.iter().find(|section| section.title.end == at) {
+            let _ = write!(self.out, " <a class=\"permalink\" href=\"#{}\" aria-label=\"Link to section {}\">#</a>", section.id, section.number);
+        }
+        let _ = write!(self.out, "</{level}>\n");
+    }
+
+    fn code_block(&mut self, kind: &CodeBlockKind<'_>) {
+        let language = match kind {
+            CodeBlockKind::Fenced(info) => info.split_whitespace().next().unwrap_or_default(),
+            CodeBlockKind::Indented => "",
+        };
+        if language.is_empty() {
+            self.out.push_str("<pre tabindex=\"0\"><code>");
+        } else {
+            let _ = write!(self.out, "<pre tabindex=\"0\"><code class=\"language-{}\">", escape(language));
+        }
+    }
+
+    fn cell(&mut self) {
+        let alignment = match self.table.alignments.get(self.table.column) {
+            Some(Alignment::Left) => " class=\"left\"",
+            Some(Alignment::Center) => " class=\"center\"",
+            Some(Alignment::Right) => " class=\"number\"",
+            _ => "",
+        };
+        let name = if self.table.head { "th scope=\"col\"" } else { "td" };
+        let _ = write!(self.out, "<{name}{alignment}>");
+    }
+
+    fn link(&mut self, url: &str, title: &str) {
+        let href = links::resolve(url, self.rendering.course).unwrap_or_default();
+        let title = if title.is_empty() { String::new() } else { format!(" title=\"{}\"", escape(title)) };
+        let _ = write!(self.out, "<a href=\"{}\"{title}>", escape(&href));
+    }
+
+    fn formula(&mut self, formula: &Formula, display: bool) {
+        // A malformed formula has been told while planning, and then nothing is rendered.
+        self.out.push_str(&self.rendering.converter.convert(&formula.tex, display).unwrap_or_default());
+    }
+
+    fn equation(&mut self, formula: &Formula, label: Option<&Label>) {
+        let anchor = label.and(self.at).and_then(|at| self.rendering.plan.labels.anchor(self.chapter, at));
+        match anchor {
+            Some(anchor) => drop(write!(self.out, "<div class=\"equation numbered\" id=\"{}\">", anchor.id)),
+            None => self.out.push_str("<div class=\"equation\">"),
+        }
+        self.formula(formula, true);
+        if let Some(anchor) = anchor {
+            let _ = write!(self.out, "<a class=\"equation-number\" href=\"#{}\">({})</a>", anchor.id, anchor.number);
+        }
+        self.out.push_str("</div>\n");
+    }
+
+    fn exhibit(&mut self, fence: usize) {
+        let index = self.rendering.plan.exhibit_of[self.chapter].get(fence).copied().flatten();
+        if let Some(index) = index {
+            let (html, diagnostics) = super::exhibit::render(self.rendering, index);
+            self.out.push_str(&html);
+            self.diagnostics.extend(diagnostics);
+        }
+    }
+
+    fn listing(&mut self, fence: usize) {
+        let index = self.rendering.plan.listing_of[self.chapter].get(fence).copied().flatten();
+        if let Some(listing) = index.and_then(|index| self.rendering.plan.listings.get(index)) {
+            let (html, diagnostics) = super::exhibit::listing(self.rendering, listing);
+            self.out.push_str(&html);
+            self.diagnostics.extend(diagnostics);
+        }
+    }
+
+    fn value(&mut self, value: &ValueUse) {
+        let index = self.rendering.plan.exhibits.iter().position(|exhibit| exhibit.id == value.exhibit);
+        let measured = index.and_then(|index| self.rendering.shown[index].outcome.values.get(&value.name));
+        // What is not there has been told before rendering.
+        if let (Some(measured), Ok(format)) = (measured, Format::parse(&value.format)) {
+            let path = escape(&format!("{}.{}", value.exhibit, value.name));
+            let _ = write!(self.out, "<span class=\"value\" title=\"{path}\">{}</span>", format.write(measured));
+        }
+    }
+
+    fn reference(&mut self, id: &str) {
+        let Some(target) = self.rendering.plan.labels.target(id) else { return };
+        let page = if target.chapter == self.chapter { String::new() } else { self.rendering.href(target.chapter) };
+        let (word, number) = (target.kind.word(), &target.number);
+        let _ = write!(self.out, "<a class=\"reference\" href=\"{page}#{id}\">{word}\u{a0}{number}</a>");
+    }
+
+    fn callout(&mut self, callout: &Callout) {
+        let kind = callout.kind;
+        let anchor = self.at.and_then(|at| self.rendering.plan.labels.anchor(self.chapter, at)).filter(|_| kind.prefix().is_some());
+        let label = anchor.map_or_else(|| kind.title().to_owned(), |anchor| format!("{} {}", kind.title(), anchor.number));
+        let title = Writer { at: None, ..Writer::new(self.rendering, self.chapter) };
+        let (title, diagnostics) = title.inline(&callout.title);
+        self.diagnostics.extend(diagnostics);
+        let title = if title.is_empty() { String::new() } else { format!(" <span class=\"callout-name\">{title}</span>") };
+        let head = format!("<span class=\"callout-label\">{label}</span>{title}");
+        let class = format!("callout callout-{}", kind.name().to_lowercase());
+        let _ = match (kind, anchor) {
+            (kind, _) if kind.folded() => write!(self.out, "<details class=\"{class}\"><summary>{head}</summary>\n"),
+            (_, Some(anchor)) => write!(self.out, "<section class=\"{class}\" id=\"{}\"><p class=\"callout-title\">{head}</p>\n", anchor.id),
+            (CalloutKind::Definition | CalloutKind::Exercise, None) => write!(self.out, "<section class=\"{class}\"><p class=\"callout-title\">{head}</p>\n"),
+            _ => write!(self.out, "<aside class=\"{class}\"><p class=\"callout-title\">{head}</p>\n"),
+        };
+    }
+
+    fn footnote_reference(&mut self, name: &str) {
+        let (number, count) = self.footnotes.refer(name);
+        let suffix = if count > 1 { format!("-{count}") } else { String::new() };
+        let _ = write!(self.out, "<sup class=\"footnote-reference\"><a href=\"#fn-{number}\" id=\"fnref-{number}{suffix}\" aria-label=\"Footnote {number}\">{number}</a></sup>");
+    }
+}
+
+impl Footnotes {
+    /// The number of the footnote `name`, and how often it has been referred to.
+    fn refer(&mut self, name: &str) -> (usize, usize) {
+        let number = self.order.iter().position(|other| other == name).unwrap_or_else(|| {
+            self.order.push(name.to_owned());
+            self.order.len() - 1
+        });
+        let count = self.references.entry(name.to_owned()).or_default();
+        *count += 1;
+        (number + 1, *count)
+    }
+
+    /// Ends the footnote being written: `out` holds it, and gets the page's text back.
+    fn close(&mut self, out: &mut String) {
+        if let Some((name, page)) = self.outside.take() {
+            let text = std::mem::replace(out, page);
+            self.texts.insert(name, text);
+        }
+    }
+
+    /// The footnotes that were referred to, as a section.
+    fn list(&self) -> String {
+        if self.order.is_empty() {
+            return String::new();
+        }
+        let mut list = String::from("<section class=\"footnotes\" aria-label=\"Footnotes\"><ol>\n");
+        for (index, name) in self.order.iter().enumerate() {
+            let number = index + 1;
+            let back = format!(" <a class=\"footnote-back\" href=\"#fnref-{number}\" aria-label=\"Back to the text\">\u{21a9}\u{fe0e}</a>");
+            let text = self.texts.get(name).map(String::as_str).unwrap_or_default().trim_end();
+            let text = match text.strip_suffix("</p>") {
+                Some(text) => format!("{text}{back}</p>"),
+                None => format!("{text}{back}"),
+            };
+            let _ = write!(list, "<li id=\"fn-{number}\">{text}</li>\n");
+        }
+        list.push_str("</ol></section>\n");
+        list
+    }
+}

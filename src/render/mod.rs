@@ -1,0 +1,77 @@
+//! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
+
+mod citations;
+mod exhibit;
+pub(crate) mod machine;
+mod markdown;
+mod pages;
+mod table;
+mod templates;
+
+use std::collections::BTreeMap;
+
+use crate::diag::Diagnostic;
+use crate::show::Shown;
+use crate::parse::Course;
+use crate::plan::{Converter, Plan};
+use crate::workspace::{CHAPTERS, Workspace};
+
+use citations::Citations;
+use templates::Templates;
+
+/// Every byte of the site, by its path from the book's folder.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Book {
+    /// The files of the site.
+    pub files: BTreeMap<String, Vec<u8>>,
+}
+
+/// The name of the file that tells machines about every exhibit.
+pub const FIGURES: &str = "figures.json";
+
+/// What rendering needs to know.
+pub(crate) struct Rendering<'a> {
+    course: &'a Course,
+    plan: &'a Plan,
+    shown: &'a [Shown],
+    workspace: &'a Workspace,
+    converter: Converter,
+    citations: Citations,
+    templates: Templates,
+}
+
+impl Rendering<'_> {
+    /// The page of a chapter.
+    fn href(&self, chapter: usize) -> String {
+        self.course.chapters.get(chapter).map_or_else(String::new, |chapter| format!("{}.html", chapter.slug))
+    }
+}
+
+/// Renders the book: `shown` are the plan's exhibits, in its order.
+pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspace) -> (Book, Vec<Diagnostic>) {
+    let mut diagnostics = Vec::new();
+    let Some(templates) = Templates::load(workspace, &mut diagnostics) else { return (Book::default(), diagnostics) };
+    let converter = Converter::new(&course.configuration.macros, &mut diagnostics);
+    let citations = Citations::format(course, plan, workspace, &mut diagnostics);
+    let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates };
+    let mut book = Book::default();
+    for (path, bytes) in pages::all(&rendering, &mut diagnostics) {
+        book.files.insert(path, bytes.into_bytes());
+    }
+    book.files.extend(rendering.templates.assets());
+    book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
+    for (path, bytes) in &workspace.blobs {
+        if let Some(path) = path.strip_prefix(CHAPTERS).and_then(|path| path.strip_prefix('/')) {
+            book.files.insert(path.to_owned(), bytes.to_vec());
+        }
+    }
+    (book, diagnostics)
+}
+
+/// Loads the templates and the citation style only to see whether they are right: what `check` can know without running.
+pub fn check(course: &Course, plan: &Plan, workspace: &Workspace) -> Vec<Diagnostic> {
+    let mut diagnostics = Vec::new();
+    Templates::load(workspace, &mut diagnostics);
+    Citations::format(course, plan, workspace, &mut diagnostics);
+    diagnostics
+}

@@ -1,0 +1,194 @@
+//! The pages of the book and what their templates are given.
+
+use serde::Serialize;
+
+use super::markdown::Writer;
+use super::templates::ASSETS;
+use super::Rendering;
+use crate::diag::Diagnostic;
+
+/// What every page knows of the book.
+#[derive(Serialize)]
+struct BookContext<'a> {
+    title: &'a str,
+    subtitle: &'a str,
+    summary: &'a str,
+    authors: &'a [String],
+    language: &'a str,
+    chapters: Vec<ChapterContext<'a>>,
+    version: &'static str,
+}
+
+/// A line of the list of chapters.
+#[derive(Serialize)]
+struct ChapterContext<'a> {
+    number: usize,
+    title: &'a str,
+    summary: &'a str,
+    href: String,
+    current: bool,
+}
+
+/// What a page knows of itself.
+#[derive(Serialize)]
+struct PageContext<'a> {
+    title: &'a str,
+    number: Option<usize>,
+    summary: &'a str,
+    href: String,
+}
+
+/// A neighbour in the order of the book.
+#[derive(Serialize)]
+struct Neighbour<'a> {
+    title: &'a str,
+    href: String,
+    number: usize,
+}
+
+/// A line of a chapter's contents.
+#[derive(Serialize)]
+struct SectionContext {
+    id: String,
+    title: String,
+    number: String,
+    level: usize,
+}
+
+#[derive(Serialize)]
+struct ChapterPage<'a> {
+    book: BookContext<'a>,
+    page: PageContext<'a>,
+    assets: &'static str,
+    body: String,
+    contents: Vec<SectionContext>,
+    previous: Option<Neighbour<'a>>,
+    next: Option<Neighbour<'a>>,
+    footnotes: String,
+}
+
+#[derive(Serialize)]
+struct IndexPage<'a> {
+    book: BookContext<'a>,
+    page: PageContext<'a>,
+    assets: &'static str,
+    exhibit_count: usize,
+    claim_count: usize,
+    contents: Vec<SectionContext>,
+}
+
+#[derive(Serialize)]
+struct BibliographyPage<'a> {
+    book: BookContext<'a>,
+    page: PageContext<'a>,
+    assets: &'static str,
+    entries: &'a str,
+    contents: Vec<SectionContext>,
+}
+
+/// Every page, by its path in the book.
+pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<(String, String)> {
+    let mut pages = vec![
+        ("index.html".to_owned(), index(rendering, diagnostics)),
+        ("bibliography.html".to_owned(), bibliography(rendering, diagnostics)),
+    ];
+    for chapter in 0..rendering.course.chapters.len() {
+        pages.push((rendering.href(chapter), chapter_page(rendering, chapter, diagnostics)));
+    }
+    pages
+}
+
+fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> BookContext<'a> {
+    let configuration = &rendering.course.configuration;
+    let chapters = rendering.course.chapters.iter().enumerate().map(|(index, chapter)| ChapterContext {
+        number: index + 1,
+        title: &chapter.front.title,
+        summary: &chapter.front.summary,
+        href: rendering.href(index),
+        current: current == Some(index),
+    });
+    BookContext {
+        title: &configuration.title,
+        subtitle: &configuration.subtitle,
+        summary: &configuration.summary,
+        authors: &configuration.authors,
+        language: &configuration.language,
+        chapters: chapters.collect(),
+        version: env!("CARGO_PKG_VERSION"),
+    }
+}
+
+fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -> Option<Neighbour<'a>> {
+    let index = chapter?;
+    let chapter = rendering.course.chapters.get(index)?;
+    Some(Neighbour { title: &chapter.front.title, href: rendering.href(index), number: index + 1 })
+}
+
+fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<Diagnostic>) -> String {
+    let chapter = &rendering.course.chapters[index];
+    let written = Writer::new(rendering, index).chapter();
+    diagnostics.extend(written.diagnostics);
+    let context = ChapterPage {
+        book: book(rendering, Some(index)),
+        page: PageContext {
+            title: &chapter.front.title,
+            number: Some(index + 1),
+            summary: &chapter.front.summary,
+            href: rendering.href(index),
+        },
+        assets: ASSETS,
+        body: written.body,
+        contents: contents(rendering, index),
+        previous: neighbour(rendering, index.checked_sub(1)),
+        next: neighbour(rendering, Some(index + 1)),
+        footnotes: written.footnotes,
+    };
+    rendering.templates.fill("page.html", &context, diagnostics)
+}
+
+fn contents(rendering: &Rendering<'_>, chapter: usize) -> Vec<SectionContext> {
+    let nodes = &rendering.course.chapters[chapter].content.nodes;
+    let sections = rendering.plan.labels.sections(chapter).iter();
+    sections
+        .map(|section| SectionContext {
+            id: section.id.clone(),
+            title: Writer::new(rendering, chapter).inline(&nodes[section.title.clone()]).0,
+            number: section.number.clone(),
+            level: section.level,
+        })
+        .collect()
+}
+
+fn index(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String {
+    let configuration = &rendering.course.configuration;
+    let context = IndexPage {
+        book: book(rendering, None),
+        page: PageContext {
+            title: &configuration.title,
+            number: None,
+            summary: &configuration.summary,
+            href: "index.html".to_owned(),
+        },
+        assets: ASSETS,
+        exhibit_count: rendering.shown.len(),
+        claim_count: rendering.shown.iter().map(|shown| shown.verdicts.len()).sum(),
+        contents: Vec::new(),
+    };
+    rendering.templates.fill("index.html", &context, diagnostics)
+}
+
+fn bibliography(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String {
+    let context = BibliographyPage {
+        book: book(rendering, None),
+        page: PageContext {
+            title: "Bibliography",
+            number: None,
+            summary: "The works that the chapters cite.",
+            href: "bibliography.html".to_owned(),
+        },
+        assets: ASSETS,
+        entries: rendering.citations.list(),
+        contents: Vec::new(),
+    };
+    rendering.templates.fill("bibliography.html", &context, diagnostics)
+}

@@ -1,0 +1,76 @@
+//! The templates and assets: embedded in the binary, overridden file by file by the course's folder `templates`.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use tera::{Context, Tera};
+
+use crate::chart::palette;
+use crate::diag::{Code, Diagnostic};
+use crate::workspace::{TEMPLATES, Workspace};
+
+/// The templates and assets that every course has unless it brings its own.
+mod embedded {
+    include!(concat!(env!("OUT_DIR"), "/templates.rs"));
+}
+
+/// The embedded file `path` of the folder `templates`.
+pub(super) fn embedded(path: &str) -> Option<&'static [u8]> {
+    embedded::TEMPLATES.iter().find(|(file, _)| *file == path).map(|&(_, bytes)| bytes)
+}
+
+/// The folder of the book that holds style, script and fonts.
+pub(super) const ASSETS: &str = "assets";
+
+/// The templates ready to be filled, and the assets beside them.
+pub(super) struct Templates {
+    tera: Tera,
+    assets: BTreeMap<String, Vec<u8>>,
+}
+
+impl Templates {
+    /// Loads the embedded files and the course's own over them; a broken template is told.
+    pub(super) fn load(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> Option<Self> {
+        let mut files: BTreeMap<String, Vec<u8>> =
+            embedded::TEMPLATES.iter().map(|(path, bytes)| ((*path).to_owned(), bytes.to_vec())).collect();
+        let own = |path: &str| path.strip_prefix(TEMPLATES).and_then(|path| path.strip_prefix('/')).map(str::to_owned);
+        for (path, source) in &workspace.texts {
+            files.extend(own(path).map(|path| (path, source.text.as_bytes().to_vec())));
+        }
+        for (path, bytes) in &workspace.blobs {
+            files.extend(own(path).map(|path| (path, bytes.to_vec())));
+        }
+        let mut tera = Tera::new();
+        let pages = files.iter().filter(|(path, _)| path.ends_with(".html"));
+        let pages: Vec<(String, String)> =
+            pages.map(|(path, bytes)| (path.clone(), String::from_utf8_lossy(bytes).into_owned())).collect();
+        if let Err(error) = tera.add_raw_templates(pages) {
+            diagnostics.push(broken(&error));
+            return None;
+        }
+        let prefix = format!("{ASSETS}/");
+        let mut assets: BTreeMap<String, Vec<u8>> =
+            files.into_iter().filter(|(path, _)| path.starts_with(&prefix) && !path.ends_with(".md")).collect();
+        assets.entry(format!("{ASSETS}/style.css")).or_default().extend(palette::css().into_bytes());
+        Some(Self { tera, assets })
+    }
+
+    /// The assets by their path in the book.
+    pub(super) fn assets(&self) -> BTreeMap<String, Vec<u8>> {
+        self.assets.clone()
+    }
+
+    /// Fills a template; a mistake in it is told, and then the text is empty.
+    pub(super) fn fill(&self, name: &str, context: &impl Serialize, diagnostics: &mut Vec<Diagnostic>) -> String {
+        let filled = Context::from_serialize(context).and_then(|context| self.tera.render(name, &context));
+        filled.unwrap_or_else(|error| {
+            diagnostics.push(broken(&error));
+            String::new()
+        })
+    }
+}
+
+fn broken(error: &tera::Error) -> Diagnostic {
+    Diagnostic::error(Code::Template, format!("a template is broken: {error}"))
+        .help(format!("a file in `{TEMPLATES}/` stands in for the embedded one of the same name; remove it to get that back"))
+}

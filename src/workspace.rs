@@ -1,0 +1,178 @@
+//! The workspace: every input of a course, read once and sorted. The only reader of the course's files.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::{fs, io};
+
+use crate::diag::{Code, Diagnostic};
+
+/// The folder of a course that holds its chapters, configuration, bibliography and pictures.
+pub const CHAPTERS: &str = "chapters";
+/// The folder of a course whose files override the embedded templates, file by file.
+pub const TEMPLATES: &str = "templates";
+/// The configuration of a course, from its root.
+pub const CONFIGURATION: &str = "chapters/workbook.toml";
+/// The committed record of results, from the course's root, wherever the book is written.
+pub const LOCK: &str = "book/workbook.lock";
+
+/// A text of the course and where it stands, from the course's root.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// The file, with `/` between folders.
+    pub path: Arc<str>,
+    /// Its text.
+    pub text: Arc<str>,
+}
+
+/// Every input of a course.
+#[derive(Debug, Clone, Default)]
+pub struct Workspace {
+    /// Texts (chapters, configuration, bibliography, templates, code) by path from the root.
+    pub texts: BTreeMap<Arc<str>, Source>,
+    /// Everything else under the chapters' folder (pictures, data), by path from the root.
+    pub blobs: BTreeMap<Arc<str>, Arc<[u8]>>,
+}
+
+impl Workspace {
+    /// The text at `path` from the course's root.
+    pub fn text(&self, path: &str) -> Option<&Source> {
+        self.texts.get(path)
+    }
+
+    /// The chapters in the folder, whether listed or not, in the order of their names.
+    pub fn chapters(&self) -> impl Iterator<Item = &Source> {
+        self.texts.values().filter(|source| chapter_stem(&source.path).is_some())
+    }
+
+    /// The text of a file for a diagnostic's excerpt.
+    pub fn excerpt(&self, path: &str) -> Option<&str> {
+        self.texts.get(path).map(|source| &*source.text)
+    }
+}
+
+/// The stem of a chapter's file, `01-history` for `chapters/01-history.md`; none for any other file.
+pub fn chapter_stem(path: &str) -> Option<&str> {
+    let stem = path.strip_prefix(CHAPTERS)?.strip_prefix('/')?.strip_suffix(".md")?;
+    (!stem.contains('/')).then_some(stem)
+}
+
+/// Reads the course at `root`. Files that are not UTF-8 or cannot be read are told, and left out.
+pub fn load(root: &Path) -> (Workspace, Vec<Diagnostic>) {
+    let mut workspace = Workspace::default();
+    let mut diagnostics = Vec::new();
+    if !root.join(CHAPTERS).is_dir() {
+        diagnostics.push(
+            Diagnostic::error(Code::NoCourse, format!("there is no folder `{CHAPTERS}` here, so there is no course"))
+                .help("run the command in a course's folder, or name it with `--root DIR`")
+                .help(format!("a course is a folder with `{CONFIGURATION}` and chapters beside it")),
+        );
+        return (workspace, diagnostics);
+    }
+    for folder in [CHAPTERS, TEMPLATES] {
+        if root.join(folder).is_dir() {
+            read_folder(root, folder, &mut workspace, &mut diagnostics);
+        }
+    }
+    if !workspace.texts.contains_key(CONFIGURATION) && diagnostics.is_empty() {
+        diagnostics.push(
+            Diagnostic::error(Code::NoCourse, format!("the course has no `{CONFIGURATION}`"))
+                .help("make it with at least `title = \"…\"` and `authors = [\"…\"]`"),
+        );
+    }
+    (workspace, diagnostics)
+}
+
+/// Reads the files below `folder` in the order of their names; hidden files and links that leave the course are passed over.
+fn read_folder(root: &Path, folder: &str, workspace: &mut Workspace, diagnostics: &mut Vec<Diagnostic>) {
+    let entries = match sorted_entries(&root.join(folder)) {
+        Ok(entries) => entries,
+        Err(error) => return diagnostics.push(unreadable(folder, &error)),
+    };
+    for (name, path) in entries {
+        let relative = format!("{folder}/{name}");
+        if name.starts_with('.') || leaves(root, &path) {
+            continue;
+        }
+        if path.is_dir() {
+            read_folder(root, &relative, workspace, diagnostics);
+        } else {
+            match fs::read(&path) {
+                Ok(bytes) => place(relative, bytes, workspace, diagnostics),
+                Err(error) => diagnostics.push(unreadable(&relative, &error)),
+            }
+        }
+    }
+}
+
+/// The names in a folder with their paths, sorted; names that are not Unicode cannot be referred to and are passed over.
+fn sorted_entries(folder: &Path) -> io::Result<Vec<(String, PathBuf)>> {
+    let mut entries = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if let Ok(name) = entry.file_name().into_string() {
+            entries.push((name, entry.path()));
+        }
+    }
+    entries.sort();
+    Ok(entries)
+}
+
+/// Whether a symbolic link leads out of the course.
+fn leaves(root: &Path, path: &Path) -> bool {
+    path.is_symlink()
+        && match (root.canonicalize(), path.canonicalize()) {
+            (Ok(root), Ok(target)) => !target.starts_with(root),
+            _ => true,
+        }
+}
+
+/// Puts one file where it belongs: texts that the tool reads must be UTF-8, the rest stays bytes.
+fn place(path: String, bytes: Vec<u8>, workspace: &mut Workspace, diagnostics: &mut Vec<Diagnostic>) {
+    let path: Arc<str> = path.into();
+    if !is_text(&path) {
+        workspace.blobs.insert(path, bytes.into());
+        return;
+    }
+    match String::from_utf8(bytes) {
+        Ok(text) => {
+            let text = text.strip_prefix('\u{feff}').unwrap_or(&text).into();
+            workspace.texts.insert(Arc::clone(&path), Source { path, text });
+        }
+        Err(error) => diagnostics.push(not_utf8(&path, &error)),
+    }
+}
+
+/// Whether the tool reads the file as text.
+fn is_text(path: &str) -> bool {
+    const TEXTS: &[&str] = &["md", "toml", "bib", "html", "css", "js", "c", "h", "rs", "py", "r", "jl", "csv", "txt"];
+    let extension = path.rsplit_once('.').map(|(_, extension)| extension);
+    extension.is_some_and(|extension| TEXTS.contains(&extension))
+}
+
+fn not_utf8(path: &str, error: &std::string::FromUtf8Error) -> Diagnostic {
+    let valid = error.utf8_error().valid_up_to();
+    let before = &error.as_bytes()[..valid];
+    let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+    let column = valid - before.iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1) + 1;
+    Diagnostic::error(Code::NotUtf8, format!("{path}:{line}:{column}: the file is not UTF-8"))
+        .help("save it again from the editor with the encoding UTF-8")
+}
+
+fn unreadable(path: &str, error: &io::Error) -> Diagnostic {
+    Diagnostic::error(Code::Unreadable, format!("`{path}` cannot be read: {error}"))
+        .help("check the file's permissions and the disk")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::chapter_stem;
+
+    #[test]
+    fn only_markdown_directly_in_the_chapters_folder_is_a_chapter() {
+        assert_eq!(chapter_stem("chapters/01-history.md"), Some("01-history"));
+        assert_eq!(chapter_stem("chapters/notes/draft.md"), None);
+        assert_eq!(chapter_stem("chapters/workbook.toml"), None);
+        assert_eq!(chapter_stem("templates/01-history.md"), None);
+    }
+}

@@ -1,0 +1,171 @@
+//! The writer: the book's folder is replaced whole or not at all.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::fs;
+
+use crate::diag::{Code, Diagnostic};
+use crate::render::{Book, FIGURES};
+use crate::workspace::LOCK;
+
+/// What writing did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// The folder was replaced.
+    Written,
+    /// The folder held the book already, byte for byte; nothing was touched.
+    Unchanged,
+}
+
+/// The lock's name in its folder.
+const LOCK_NAME: &str = "workbook.lock";
+
+/// Makes `out` hold exactly `book`, and the lock if it was there.
+///
+/// The new book is written beside the old one and the two change places in one step, so that whatever happens a whole book
+/// is in place. A folder that holds anything but a book is refused.
+pub fn write(book: &Book, out: &Path) -> Result<Outcome, Diagnostic> {
+    let lock = match fs::read(out.join(LOCK_NAME)) {
+        Ok(bytes) => Some(bytes),
+        Err(_) => None,
+    };
+    if !is_book_or_free(out) {
+        return Err(Diagnostic::error(Code::NotABook, format!("`{}` holds files that are no book of this tool", out.display()))
+            .help("name another folder with `--out DIR`, or empty this one: building replaces it whole"));
+    }
+    if holds(out, book) {
+        return Ok(Outcome::Unchanged);
+    }
+    let failed = |error: io::Error| {
+        Diagnostic::error(Code::Unwritable, format!("the book cannot be written to `{}`: {error}", out.display()))
+            .help("the last good book is untouched; check the disk's space and the folder's permissions")
+    };
+    let staging = Staging::create(out).map_err(failed)?;
+    for (path, bytes) in &book.files {
+        write_file(&staging.path.join(path), bytes).map_err(failed)?;
+    }
+    if let Some(lock) = lock {
+        write_file(&staging.path.join(LOCK_NAME), &lock).map_err(failed)?;
+    }
+    exchange(&staging.path, out).map_err(failed)?;
+    Ok(Outcome::Written)
+}
+
+/// The committed lock's path in a course.
+pub fn lock_path(root: &Path) -> PathBuf {
+    root.join(LOCK)
+}
+
+/// Replaces the lock in one step.
+pub fn write_lock(root: &Path, text: &str) -> Result<(), Diagnostic> {
+    let path = lock_path(root);
+    let write = || -> io::Result<()> {
+        fs::create_dir_all(path.parent().unwrap_or(root))?;
+        let staged = path.with_extension(format!("lock.{}", std::process::id()));
+        fs::write(&staged, text)?;
+        fs::rename(&staged, &path)
+    };
+    write().map_err(|error| Diagnostic::error(Code::Unwritable, format!("the lock cannot be written to `{}`: {error}", path.display())))
+}
+
+/// A folder beside the book that is removed however the writing ends: the half-written book, or the one that was replaced.
+struct Staging {
+    path: PathBuf,
+}
+
+impl Staging {
+    fn create(out: &Path) -> io::Result<Self> {
+        let name = out.file_name().map_or_else(|| "book".into(), |name| name.to_string_lossy().into_owned());
+        let parent = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::create_dir_all(parent)?;
+        remove_abandoned(parent, &name);
+        let path = parent.join(format!(".{name}.staging-{}", std::process::id()));
+        if path.exists() {
+            fs::remove_dir_all(&path)?;
+        }
+        fs::create_dir(&path)?;
+        Ok(Self { path })
+    }
+}
+
+impl Drop for Staging {
+    fn drop(&mut self) {
+        // Nothing is lost if this fails: the next build removes what was left.
+        let _ = fs::remove_dir_all(&self.path);
+    }
+}
+
+/// Removes what builds that were killed have left, if their process is gone.
+fn remove_abandoned(parent: &Path, name: &str) {
+    let prefix = format!(".{name}.staging-");
+    for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
+        let file = entry.file_name().to_string_lossy().into_owned();
+        let Some(process) = file.strip_prefix(&prefix) else { continue };
+        if !Path::new("/proc").join(process).exists() || cfg!(not(target_os = "linux")) {
+            let _ = fs::remove_dir_all(entry.path());
+        }
+    }
+}
+
+fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    if let Some(parent) = path.parent() {
+        fs::create_dir_all(parent)?;
+    }
+    fs::write(path, bytes)
+}
+
+/// Puts `staged` in the place of `out`, and what was there in the place of `staged`.
+fn exchange(staged: &Path, out: &Path) -> io::Result<()> {
+    if !out.exists() {
+        return fs::rename(staged, out);
+    }
+    #[cfg(any(target_os = "linux", target_os = "macos"))]
+    {
+        use rustix::fs::{CWD, RenameFlags, renameat_with};
+        if renameat_with(CWD, staged, CWD, out, RenameFlags::EXCHANGE).is_ok() {
+            return Ok(());
+        }
+    }
+    // Where the file system cannot exchange two folders, the old one steps aside for a moment and comes back on failure.
+    let aside = staged.with_extension("old");
+    fs::rename(out, &aside)?;
+    if let Err(error) = fs::rename(staged, out) {
+        fs::rename(&aside, out)?;
+        return Err(error);
+    }
+    fs::rename(&aside, staged)
+}
+
+/// Whether `out` can be replaced: it is not there, it is empty, it holds a book, or nothing but the lock.
+fn is_book_or_free(out: &Path) -> bool {
+    let Ok(entries) = fs::read_dir(out) else { return !out.exists() };
+    let names: Vec<String> = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    names.iter().all(|name| name == LOCK_NAME) || names.iter().any(|name| name == FIGURES)
+}
+
+/// Whether `out` holds exactly the files of `book`, besides the lock.
+fn holds(out: &Path, book: &Book) -> bool {
+    let mut count = 0;
+    let mut folders = vec![out.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        let Ok(entries) = fs::read_dir(&folder) else { return false };
+        for entry in entries.flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let Some(name) = path.strip_prefix(out).ok().and_then(Path::to_str) else { return false };
+            if name == LOCK_NAME {
+                continue;
+            }
+            let name = name.replace(std::path::MAIN_SEPARATOR, "/");
+            let same = book.files.get(&name).is_some_and(|bytes| fs::read(&path).is_ok_and(|old| old == *bytes));
+            if !same {
+                return false;
+            }
+            count += 1;
+        }
+    }
+    count == book.files.len()
+}
