@@ -43,3 +43,18 @@ impl Points {
         &self.coordinates
     }
 }
+
+/// The slab `0..n` of equal width 1/n that holds `x` in [0, 1), by comparison with the borders k/n as they are in `f64`.
+///
+/// The product `x * n` alone may round up onto the next border.
+#[inline]
+pub fn slab(x: f64, n: usize) -> usize {
+    let guess = ((x * n as f64) as usize).min(n.saturating_sub(1));
+    if x < guess as f64 / n as f64 {
+        guess.saturating_sub(1)
+    } else if guess + 1 < n && x >= (guess + 1) as f64 / n as f64 {
+        guess + 1
+    } else {
+        guess
+    }
+}

@@ -68,6 +68,8 @@ impl Complaint {
 pub struct Fields<'a> {
     table: &'a DeTable<'a>,
     used: BTreeSet<String>,
+    /// The keys that are read elsewhere.
+    common: &'static [&'static str],
     /// What is wrong so far, in the order of discovery.
     pub complaints: Vec<Complaint>,
 }
@@ -75,7 +77,23 @@ pub struct Fields<'a> {
 impl<'a> Fields<'a> {
     /// The fields of a fence's table, none of them read yet.
     pub fn new(table: &'a DeTable<'a>) -> Self {
-        Self { table, used: BTreeSet::new(), complaints: Vec::new() }
+        Self { table, used: BTreeSet::new(), common: COMMON_KEYS, complaints: Vec::new() }
+    }
+
+    /// The fields of a table that is no experiment's, so that no key is common.
+    pub fn plain(table: &'a DeTable<'a>) -> Self {
+        Self { common: &[], ..Self::new(table) }
+    }
+
+    /// The table at `key`, if it is there and is one.
+    pub fn table(&mut self, key: &str) -> Option<&'a DeTable<'a>> {
+        let value = self.take(key)?;
+        let table = value.get_ref().as_table();
+        if table.is_none() {
+            let message = format!("expected a table, found {}", found(value.get_ref()));
+            self.complaints.push(Complaint::new(Code::WrongType, value.span(), message));
+        }
+        table
     }
 
     /// The value of `key`, which counts as known from now on.
@@ -102,10 +120,10 @@ impl<'a> Fields<'a> {
 
     /// Complains of every key that was not read; the nearest of `known` and of the common keys is offered.
     pub fn finish(&mut self, known: &[&str]) {
-        let names = || known.iter().chain(COMMON_KEYS).copied();
+        let names = || known.iter().chain(self.common).copied();
         for (key, _) in self.table {
             let written: &str = key.get_ref();
-            if self.used.contains(written) || COMMON_KEYS.contains(&written) {
+            if self.used.contains(written) || self.common.contains(&written) {
                 continue;
             }
             let offer = nearest(written, names()).map(|name| format!("did you mean `{name}`?"));

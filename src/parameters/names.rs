@@ -96,7 +96,7 @@ impl ParameterType for Function {
     }
 
     fn canonical(&self) -> Value {
-        json!(self.text())
+        json!(self.text().trim())
     }
 
     fn abouts(&self) -> Vec<&'static About> {
@@ -110,13 +110,13 @@ fn complain(text: &str, place: &Range<usize>, error: ExpressionError) -> Complai
     let is_name = !text.is_empty() && text.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
     if is_name && (error.range == (0..text.len()) || text.contains('-')) {
         let offer = nearest(text, INTEGRANDS.iter().map(|integrand| integrand.about().key));
-        let offer = offer.map(|name| format!("did you mean `{name}`?")).or(error.suggestion);
+        let offer = offer.map(str::to_owned).or(error.suggestion).map(|name| format!("did you mean `{name}`?"));
         return Complaint::new(Code::UnknownName, place.clone(), format!("unknown integrand `{text}`"))
             .help_if(offer)
             .help(all);
     }
     Complaint::new(Code::Expression, inside(text, place, &error.range), error.message)
-        .help_if(error.suggestion)
+        .help_if(error.suggestion.map(|name| format!("did you mean `{name}`?")))
         .help(all)
 }
 

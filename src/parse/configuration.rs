@@ -74,7 +74,7 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
         let range = error.span().unwrap_or(0..0);
         diagnostics.push(Diagnostic::error(Code::Toml, error.message().to_owned()).at(&source.path, range));
     }
-    let mut fields = Fields::new(table.get_ref());
+    let mut fields = Fields::plain(table.get_ref());
     let head = Head::read(&mut fields);
     let mut configuration = Configuration { seed: 1, ..Configuration::default() };
     if let Some(head) = head {
@@ -95,7 +95,7 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
     }
     configuration.macros = read_macros(&mut fields);
     let known: Vec<&str> = Head::docs().iter().map(|doc| doc.name).chain(["defaults", "math"]).collect();
-    fields.finish(&known, &[]);
+    fields.finish(&known);
     diagnostics.extend(fields.complaints.into_iter().map(|complaint| located(complaint, source)));
     check_bibliography(&configuration, workspace, source, diagnostics);
     configuration
@@ -119,9 +119,9 @@ fn order_places(fields: &Fields<'_>) -> Vec<Range<usize>> {
 
 fn read_defaults(fields: &mut Fields<'_>) -> Option<u64> {
     let table = fields.table("defaults")?;
-    let mut inner = Fields::new(table);
+    let mut inner = Fields::plain(table);
     let defaults = Defaults::read(&mut inner);
-    inner.finish(&["seed"], &[]);
+    inner.finish(&["seed"]);
     fields.complaints.append(&mut inner.complaints);
     defaults.map(|defaults| defaults.seed as u64)
 }
@@ -129,7 +129,7 @@ fn read_defaults(fields: &mut Fields<'_>) -> Option<u64> {
 fn read_macros(fields: &mut Fields<'_>) -> BTreeMap<String, String> {
     let mut macros = BTreeMap::new();
     let Some(table) = fields.table("math") else { return macros };
-    let mut math = Fields::new(table);
+    let mut math = Fields::plain(table);
     if let Some(written) = math.table("macros") {
         for (name, value) in written {
             match value.get_ref().as_str() {
@@ -138,7 +138,7 @@ fn read_macros(fields: &mut Fields<'_>) -> BTreeMap<String, String> {
             }
         }
     }
-    math.finish(&["macros"], &[]);
+    math.finish(&["macros"]);
     fields.complaints.append(&mut math.complaints);
     macros
 }

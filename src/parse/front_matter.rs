@@ -40,9 +40,9 @@ pub(super) fn read(range: Option<Range<usize>>, source: &Source, diagnostics: &m
         let place = shift(error.span().unwrap_or(0..0));
         diagnostics.push(Diagnostic::error(Code::Toml, error.message().to_owned()).at(&source.path, place));
     }
-    let mut fields = Fields::new(table.get_ref());
+    let mut fields = Fields::plain(table.get_ref());
     let written = Written::read(&mut fields);
-    fields.finish(&["title", "summary"], &[]);
+    fields.finish(&["title", "summary"]);
     for complaint in fields.complaints {
         let mut diagnostic = Diagnostic::error(complaint.code, complaint.message).at(&source.path, shift(complaint.range));
         diagnostic.help = complaint.help;

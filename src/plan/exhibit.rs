@@ -1,5 +1,6 @@
 //! Experiment fences: from TOML to validated experiments.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use toml::de::DeTable;
@@ -15,11 +16,12 @@ use crate::parse::{self, Fence, SourceMap};
 pub(super) fn read_all(
     reading: &Reading<'_>,
     exhibits: &mut Vec<Exhibit>,
+    broken: &mut BTreeSet<String>,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<Option<usize>> {
     let mut indices = Vec::new();
     for fence in &reading.chapter.content.experiments {
-        let exhibit = read(fence, reading, diagnostics);
+        let exhibit = read(fence, reading, broken, diagnostics);
         indices.push(exhibit.is_some().then_some(exhibits.len()));
         exhibits.extend(exhibit);
     }
@@ -27,7 +29,12 @@ pub(super) fn read_all(
 }
 
 /// Reads one fence; `None` if anything is wrong, and then all that is wrong has been told.
-fn read(fence: &Fence, reading: &Reading<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Exhibit> {
+fn read(
+    fence: &Fence,
+    reading: &Reading<'_>,
+    broken: &mut BTreeSet<String>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Exhibit> {
     let file = &reading.chapter.file;
     let before = diagnostics.len();
     let (table, errors) = DeTable::parse_recoverable(&fence.text);
@@ -45,6 +52,7 @@ fn read(fence: &Fence, reading: &Reading<'_>, diagnostics: &mut Vec<Diagnostic>)
         parse::caption(&caption.text, file, map, reading.workspace, diagnostics)
     });
     if diagnostics.len() > before {
+        broken.extend(head.id);
         return None;
     }
     let head_range = fence.head(&reading.workspace.text(file)?.text);

@@ -1,5 +1,6 @@
 //! Listing fences: code of this very library, as it was compiled, or a file of the course.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use toml::de::DeTable;
@@ -9,7 +10,8 @@ use super::Reading;
 use crate::diag::{Code, Diagnostic, Place};
 use crate::parameters::{Complaint, Fields, Parameters, parameters};
 use crate::parse::{self, Fence, Node};
-use crate::sources;
+use crate::catalogue::nearest;
+use crate::run::code;
 use crate::workspace::CHAPTERS;
 
 parameters! {
@@ -49,18 +51,24 @@ pub struct Listing {
 pub(super) fn read_all(
     reading: &Reading<'_>,
     listings: &mut Vec<Listing>,
+    broken: &mut BTreeSet<String>,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<Option<usize>> {
     let mut indices = Vec::new();
     for fence in &reading.chapter.content.listings {
-        let listing = read(fence, reading, diagnostics);
+        let listing = read(fence, reading, broken, diagnostics);
         indices.push(listing.is_some().then_some(listings.len()));
         listings.extend(listing);
     }
     indices
 }
 
-fn read(fence: &Fence, reading: &Reading<'_>, diagnostics: &mut Vec<Diagnostic>) -> Option<Listing> {
+fn read(
+    fence: &Fence,
+    reading: &Reading<'_>,
+    broken: &mut BTreeSet<String>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Listing> {
     let file = &reading.chapter.file;
     let before = diagnostics.len();
     let (table, errors) = DeTable::parse_recoverable(&fence.text);
@@ -80,6 +88,7 @@ fn read(fence: &Fence, reading: &Reading<'_>, diagnostics: &mut Vec<Diagnostic>)
     let caption =
         caption.map(|caption| parse::caption(&caption.text, file, caption.map(fence), reading.workspace, diagnostics));
     if diagnostics.len() > before {
+        broken.extend(written.map(|written| written.id));
         return None;
     }
     let head = fence.head(&reading.workspace.text(file)?.text);
@@ -92,11 +101,11 @@ fn read(fence: &Fence, reading: &Reading<'_>, diagnostics: &mut Vec<Diagnostic>)
 fn find_code(written: &Written, reading: &Reading<'_>, fields: &mut Fields<'_>) -> Option<(String, String, String)> {
     match (&written.item, &written.file) {
         (Some(item), None) => {
-            let found = sources::item(item);
+            let found = code::item(item);
             if found.is_none() {
                 let complaint = Complaint::new(Code::UnknownItem, fields.place("item"), format!("the library has no item `{item}`"));
                 let complaint = complaint
-                    .help_if(sources::nearest_item(item).map(|near| format!("did you mean `{near}`?")))
+                    .help_if(nearest(item, code::items().iter().map(String::as_str)).map(|near| format!("did you mean `{near}`?")))
                     .help("name it by its path below the crate, e.g. `samplers::halton::radical_inverse`");
                 fields.complaints.push(complaint);
             }

@@ -11,7 +11,7 @@ pub mod links;
 mod listing;
 mod references;
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::diag::{Diagnostic, Place};
@@ -37,6 +37,8 @@ pub struct Plan {
     pub labels: Labels,
     /// The works that chapters cite.
     pub bibliography: Bibliography,
+    /// The ids of fences that are wrong: what refers to them is not to blame.
+    pub broken: BTreeSet<String>,
     /// For each chapter, the exhibit of each of its experiment fences.
     pub exhibit_of: Vec<Vec<Option<usize>>>,
     /// For each chapter, the listing of each of its listing fences.
@@ -72,13 +74,14 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
         listings: Vec::new(),
         labels: Labels::default(),
         bibliography,
+        broken: BTreeSet::new(),
         exhibit_of: Vec::new(),
         listing_of: Vec::new(),
     };
     for (index, chapter) in course.chapters.iter().enumerate() {
         let reading = Reading { chapter, index, seed: course.configuration.seed, workspace };
-        plan.exhibit_of.push(exhibit::read_all(&reading, &mut plan.exhibits, &mut diagnostics));
-        plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut diagnostics));
+        plan.exhibit_of.push(exhibit::read_all(&reading, &mut plan.exhibits, &mut plan.broken, &mut diagnostics));
+        plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut plan.broken, &mut diagnostics));
     }
     plan.labels = labels::number(course, &plan, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
@@ -97,10 +100,5 @@ impl Plan {
     /// The exhibit with this id.
     pub fn exhibit(&self, id: &str) -> Option<&Exhibit> {
         self.exhibits.iter().find(|exhibit| exhibit.id == id)
-    }
-
-    /// The ids of all exhibits with their index, sorted by id.
-    pub fn exhibit_ids(&self) -> BTreeMap<&str, usize> {
-        self.exhibits.iter().enumerate().map(|(index, exhibit)| (exhibit.id.as_str(), index)).collect()
     }
 }

@@ -59,7 +59,7 @@ impl Checking<'_> {
     }
 
     fn reference(&mut self, id: &str, range: &Range<usize>) {
-        if self.plan.labels.target(id).is_none() {
+        if self.plan.labels.target(id).is_none() && !self.plan.broken.contains(id) {
             let near = nearest(id, self.plan.labels.ids()).map(|near| format!("did you mean `@{near}`?"));
             self.tell(Code::MissingTarget, format!("nothing in the book has the id `{id}`"), range, near);
         }
@@ -75,7 +75,7 @@ impl Checking<'_> {
 
     /// The exhibit of a value; whether it gives the value is known once it has run.
     fn value(&mut self, value: &ValueUse, range: &Range<usize>) {
-        if self.plan.exhibit(&value.exhibit).is_none() {
+        if self.plan.exhibit(&value.exhibit).is_none() && !self.plan.broken.contains(&value.exhibit) {
             let ids = self.plan.exhibits.iter().map(|exhibit| exhibit.id.as_str());
             let near = nearest(&value.exhibit, ids).map(|near| format!("did you mean `{near}`?"));
             self.tell(Code::UnknownValue, format!("there is no exhibit `{}`", value.exhibit), range, near);

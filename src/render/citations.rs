@@ -9,7 +9,6 @@ use hayagriva::{BibliographyDriver, BibliographyRequest, BufWriteFormat, Citatio
 use crate::diag::{Code, Diagnostic};
 use crate::parse::{Callout, Cited, Course, Node, What};
 use crate::plan::{Plan, escape};
-use crate::sources;
 use crate::workspace::{TEMPLATES, Workspace};
 
 /// The style and the terms of its language.
@@ -81,7 +80,7 @@ impl Citations {
 
 fn template(name: &str, workspace: &Workspace) -> String {
     let own = workspace.blobs.get(format!("{TEMPLATES}/{name}").as_str());
-    let bytes = own.map(|bytes| &**bytes).or_else(|| sources::template(name)).unwrap_or_default();
+    let bytes = own.map(|bytes| &**bytes).or_else(|| super::templates::embedded(name)).unwrap_or_default();
     String::from_utf8_lossy(bytes).into_owned()
 }
 

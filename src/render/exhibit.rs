@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::markdown::Writer;
 use super::{Rendering, table};
-use crate::chart::Drawing;
+use crate::exhibits::Drawing;
 use crate::diag::Diagnostic;
-use crate::exhibits::{Shown, Verdict};
+use crate::show::{Shown, Verdict};
 use crate::plan::{Listing, escape};
 
 #[derive(Serialize)]

@@ -6,8 +6,7 @@ use std::fmt::Write as _;
 use pulldown_cmark::{Alignment, CodeBlockKind, Event, HeadingLevel, Tag, TagEnd};
 
 use super::Rendering;
-use crate::catalogue::nearest;
-use crate::diag::{Code, Diagnostic};
+use crate::diag::Diagnostic;
 use crate::parse::{Callout, CalloutKind, Formula, Label, Node, ValueUse, What};
 use crate::plan::{Format, escape, links};
 
@@ -86,7 +85,7 @@ impl<'a> Writer<'a> {
             What::Equation { formula, label } => self.equation(formula, label.as_ref()),
             What::Experiment(fence) => self.exhibit(*fence),
             What::Listing(fence) => self.listing(*fence),
-            What::Value(value) => self.value(value, node),
+            What::Value(value) => self.value(value),
             What::Reference(id) => self.reference(id),
             What::Citation(cited) => {
                 let keys: Vec<String> = cited.iter().map(|cited| self.rendering.citations.link(cited)).collect();
@@ -268,20 +267,14 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn value(&mut self, value: &ValueUse, node: &Node) {
-        let Some(index) = self.rendering.plan.exhibits.iter().position(|exhibit| exhibit.id == value.exhibit) else { return };
-        let values = &self.rendering.shown[index].outcome.values;
-        if let (Some(measured), Ok(format)) = (values.get(&value.name), Format::parse(&value.format)) {
+    fn value(&mut self, value: &ValueUse) {
+        let index = self.rendering.plan.exhibits.iter().position(|exhibit| exhibit.id == value.exhibit);
+        let measured = index.and_then(|index| self.rendering.shown[index].outcome.values.get(&value.name));
+        // What is not there has been told before rendering.
+        if let (Some(measured), Ok(format)) = (measured, Format::parse(&value.format)) {
             let path = escape(&format!("{}.{}", value.exhibit, value.name));
             let _ = write!(self.out, "<span class=\"value\" title=\"{path}\">{}</span>", format.write(measured));
-            return;
         }
-        let file = &self.rendering.course.chapters[self.chapter].file;
-        let message = format!("`{}` gives no value `{}`", value.exhibit, value.name);
-        let near = nearest(&value.name, values.names()).map(|near| format!("did you mean `{near}`?"));
-        let list = format!("`workbook run {}` lists its values", value.exhibit);
-        let error = Diagnostic::error(Code::UnknownValue, message).at(file, node.range.clone());
-        self.diagnostics.push(error.help_if(near).help(list));
     }
 
     fn reference(&mut self, id: &str) {

@@ -7,8 +7,17 @@ use tera::{Context, Tera};
 
 use crate::chart::palette;
 use crate::diag::{Code, Diagnostic};
-use crate::sources;
 use crate::workspace::{TEMPLATES, Workspace};
+
+/// The templates and assets that every course has unless it brings its own.
+mod embedded {
+    include!(concat!(env!("OUT_DIR"), "/templates.rs"));
+}
+
+/// The embedded file `path` of the folder `templates`.
+pub(super) fn embedded(path: &str) -> Option<&'static [u8]> {
+    embedded::TEMPLATES.iter().find(|(file, _)| *file == path).map(|&(_, bytes)| bytes)
+}
 
 /// The folder of the book that holds style, script and fonts.
 pub(super) const ASSETS: &str = "assets";
@@ -23,7 +32,7 @@ impl Templates {
     /// Loads the embedded files and the course's own over them; a broken template is told.
     pub(super) fn load(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> Option<Self> {
         let mut files: BTreeMap<String, Vec<u8>> =
-            sources::TEMPLATES.iter().map(|(path, bytes)| ((*path).to_owned(), bytes.to_vec())).collect();
+            embedded::TEMPLATES.iter().map(|(path, bytes)| ((*path).to_owned(), bytes.to_vec())).collect();
         let own = |path: &str| path.strip_prefix(TEMPLATES).and_then(|path| path.strip_prefix('/')).map(str::to_owned);
         for (path, source) in &workspace.texts {
             files.extend(own(path).map(|path| (path, source.text.as_bytes().to_vec())));

@@ -1,16 +1,36 @@
 //! The samplers: how points are placed in the unit cube. One file each, and one catalogue.
 //!
-//! A sampler *declares* what it guarantees; the battery in `tests/` holds it to each declaration over many n, d and seeds.
+//! A sampler *declares* what it guarantees; the battery in `tests/` holds it to each declaration over many n, d and seeds. Those whose
+//! coordinates are made of digits expose them as [`Digital`], which is what the scrambles of [`crate::scrambles`] work on. A [`Method`] is a
+//! sampler with or without a scramble, by name: `sobol+xor`.
 
 use crate::catalogue::Entry;
 use crate::points::Points;
 use crate::seed::Seed;
 
-mod independent;
+pub mod digits;
+pub mod halton;
+pub mod independent;
+pub mod jittered;
+pub mod latin_hypercube;
+mod method;
+mod refused;
+pub mod sobol;
+pub mod van_der_corput;
+
+pub use digits::Radix;
+pub use method::{Method, UnknownMethod};
+pub use refused::{MOST_COORDINATES, Refused};
+pub(crate) use refused::{allocate, points};
 
 /// Every sampler, in the order of display.
 pub static SAMPLERS: &[&dyn Sampler] = &[
-    &independent::INDEPENDENT,
+    &independent::Independent,
+    &jittered::Jittered,
+    &latin_hypercube::LatinHypercube,
+    &van_der_corput::VanDerCorput,
+    &halton::Halton,
+    &sobol::Sobol,
 ];
 
 /// A way to place points in the unit cube.
@@ -23,10 +43,61 @@ pub trait Sampler: Entry + Sync {
 
     /// The `n x d` points for `seed`: the same arguments give the same bits, everywhere.
     fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused>;
+
+    /// The net that [`Guarantee::Net`] promises in `d` dimensions.
+    fn net(&self, _d: usize) -> Option<Net> {
+        None
+    }
+
+    /// In which base its coordinates are digits, which says what scrambles it can be combined with.
+    fn digits(&self) -> Digits {
+        Digits::None
+    }
+
+    /// The digits of its coordinates for `n` points of `d` dimensions, both admitted; `None` where there are none.
+    fn digital(&self, _n: usize, _d: usize) -> Option<Box<dyn Digital>> {
+        None
+    }
+}
+
+/// Points by their digits: every coordinate is a whole number over a power of its axis' base. Pure by position.
+pub trait Digital: Send + Sync {
+    /// The base of the axis `axis`, with the number of digits.
+    fn radix(&self, axis: usize) -> Radix;
+
+    /// The numerator, over `radix(axis).scale`, of the coordinate of point `index` on the axis `axis < d`.
+    fn numerator(&self, index: u64, axis: usize) -> u64;
+
+    /// The numerators of points `first`, `first + 1`, ... on one axis: the same as one by one, but faster.
+    fn numerators(&self, first: u64, axis: usize, out: &mut [u64]) {
+        for (index, numerator) in (first..).zip(out) {
+            *numerator = self.numerator(index, axis);
+        }
+    }
+}
+
+/// Whether the coordinates of a sampler are digits of some base.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Digits {
+    /// Real numbers without digits of their own.
+    None,
+    /// Base 2 on every axis.
+    Binary,
+    /// Some base on each axis, not 2 on all.
+    Mixed,
+}
+
+/// The parameters of a (t, m, d)-net: of b^m points, every elementary interval of volume b^(t - m) holds b^t.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Net {
+    /// The base b.
+    pub base: u32,
+    /// The quality parameter t; 0 is best.
+    pub t: u32,
 }
 
 /// A promise that a sampler makes and the battery proves. Every sampler moreover stays in [0, 1).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Guarantee {
     /// The first m of n points are the m points.
@@ -35,39 +106,47 @@ pub enum Guarantee {
     Latin,
     /// One point in each cell of the grid of n equal cells.
     Strata,
-    /// Every aligned block of b^m points is a (t, m, s)-net in base b.
-    Net {
-        /// The base b.
-        base: u32,
-        /// The quality parameter t; 0 is best.
-        t: u32,
-    },
-    /// Each point is uniform over seeds, so that the mean is unbiased.
+    /// Every aligned block of b^m points is a (t, m, d)-net in base b, with the parameters of [`Sampler::net`].
+    Net,
+    /// Of any consecutive b1^k1 ... bd^kd points, one falls in each of the equal boxes that cut axis j into bj^kj.
+    Boxes,
+    /// Over seeds the points together are uniform, so that the mean is unbiased.
     Unbiased,
     /// The same points for every seed.
     Deterministic,
 }
 
-/// Why a sampler cannot give what was asked of it.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Refused {
-    /// It cannot give this n; the nearest that it can, below and above.
-    Count {
-        /// What was asked for.
-        n: usize,
-        /// The nearest count below that it can give, if any.
-        below: Option<usize>,
-        /// The nearest count above that it can give, if any.
-        above: Option<usize>,
-        /// What the count must be, e.g. `a square`.
-        rule: &'static str,
-    },
-    /// It cannot give this d.
-    Dimensions {
-        /// What was asked for.
-        d: usize,
-        /// The most that it can give.
-        most: usize,
-    },
+impl std::fmt::Display for Guarantee {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Prefix => "the first m of n points are the m points",
+            Self::Latin => "one point in each of the n slabs of every axis",
+            Self::Strata => "one point in each cell of the grid of n equal cells",
+            Self::Net => "every aligned block of b^m points is a (t, m, d)-net in base b",
+            Self::Boxes => {
+                "one point in each box of sides b_j^-k_j among as many consecutive points as there are boxes"
+            }
+            Self::Unbiased => "over seeds the points together are uniform, so that the mean is unbiased",
+            Self::Deterministic => "the same points for every seed",
+        })
+    }
+}
+
+/// The points of a digital sampler as they are, block by block.
+fn digital_points(sampler: &dyn Sampler, n: usize, d: usize) -> Result<Points, Refused> {
+    sampler.admits(n, d)?;
+    let digital = sampler.digital(n, d).ok_or(Refused::Dimensions { d, least: 1, most: 1 })?;
+    let mut coordinates = refused::allocate(n, d)?;
+    let mut block = [0; 256];
+    for (k, rows) in coordinates.chunks_mut(block.len() * d).enumerate() {
+        let numerators = &mut block[..rows.len() / d];
+        for axis in 0..d {
+            let radix = digital.radix(axis);
+            digital.numerators((k * 256) as u64, axis, numerators);
+            for (row, &numerator) in rows.chunks_exact_mut(d).zip(&*numerators) {
+                row[axis] = radix.coordinate(numerator);
+            }
+        }
+    }
+    refused::points(d, coordinates)
 }

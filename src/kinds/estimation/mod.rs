@@ -111,9 +111,9 @@ pub fn reference(integrand: &Function, d: usize) -> Result<Reference, Failure> {
     integrand.integral(d).filter(|reference| reference.value.is_finite()).ok_or_else(failure)
 }
 
-/// The dimensions to integrate over: as asked, or as many as the integrand has, or two where it takes any number.
+/// The dimensions to integrate over: as asked, or as many as the integrand has, or one where it takes any number.
 pub fn dimensions(integrand: &Function, asked: Option<usize>) -> usize {
-    asked.or(integrand.dimensions()).unwrap_or(2)
+    asked.or(integrand.dimensions()).unwrap_or(1)
 }
 
 /// Complains if the integrand has more variables than the `asked` dimensions.

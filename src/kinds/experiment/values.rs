@@ -28,6 +28,17 @@ pub struct Measured {
     pub standard_error: Option<f64>,
 }
 
+impl Measured {
+    /// The value as a number, if it is one.
+    pub fn number(&self) -> Option<f64> {
+        match self.value {
+            Value::Number(number) => Some(number),
+            Value::Integer(integer) => Some(integer as f64),
+            Value::Boolean(_) | Value::Text(_) => None,
+        }
+    }
+}
+
 /// The values of a result by name, in the order of the names.
 ///
 /// A name is dotted and lower-case: the quantity, then the sampler, then n, as in `rmse.sobol+xor.1024`.
@@ -79,6 +90,11 @@ impl Values {
     /// Every name with its value, in the order of the names.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (&str, &Measured)> {
         self.0.iter().map(|(name, measured)| (name.as_str(), measured))
+    }
+
+    /// Every name, in order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.keys().map(String::as_str)
     }
 
     /// The number of values.

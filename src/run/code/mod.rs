@@ -26,6 +26,7 @@ const NOT_COMPUTING: &[&str] = &[
     "lib.rs",
     "main.rs",
     "diag.rs",
+    "compose.rs",
     "workspace.rs",
     "parse/",
     "plan/",

@@ -1,0 +1,245 @@
+//! Where everything goes: the key, the panels in their grid, and the room for their labels.
+
+use super::draw::{self, Page};
+use super::geometry::Window;
+use super::legend::{self, Entry};
+use super::resolve::{self, Extent};
+use super::ticks::Tick;
+use super::{Chart, ChartError, Figure, Key, Layer, Panel, Sheet, backend};
+
+/// Where a panel's axes stand, in hundredths.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Rect {
+    pub left: i32,
+    pub top: i32,
+    pub right: i32,
+    pub bottom: i32,
+}
+
+/// A panel with its place.
+#[derive(Debug)]
+pub(super) struct Plot<'a> {
+    pub panel: &'a Panel,
+    pub index: usize,
+    pub rect: Rect,
+    pub window: Window,
+    pub x_ticks: Vec<Tick>,
+    pub y_ticks: Vec<Tick>,
+    /// Whether the labels of the axes are shown: in small multiples only at the outer edges.
+    pub labelled: (bool, bool),
+    /// The top of the title, and the left edge of the cell, in units.
+    pub head: (f64, f64),
+    pub extent: Extent,
+    /// Whether names stand at the ends of lines.
+    pub direct: bool,
+}
+
+/// The least width of a plot that still says something, in units.
+const NARROWEST: f64 = 56.0;
+/// The space between columns, and below rows.
+const GAP: f64 = 16.0;
+
+/// Sizes common to all panels, in units.
+struct Frame {
+    columns: usize,
+    /// Room for y labels: in the first column, in the others.
+    left: (f64, f64),
+    /// Room at the right of each column.
+    right: f64,
+    /// The width of a plot.
+    width: f64,
+    /// Titles and the y axes' titles.
+    head: f64,
+    /// Room for x labels where they are shown.
+    foot: f64,
+}
+
+/// The figure of `chart`.
+pub(super) fn draw(chart: &Chart, sheet: &Sheet) -> Result<Figure, ChartError> {
+    if chart.panels.is_empty() {
+        return Err(ChartError::NoPanel);
+    }
+    if !(sheet.width >= 120.0 && sheet.width <= 4000.0) {
+        return Err(ChartError::Narrow { width: sheet.width, needed: 120.0 });
+    }
+    let (extents, windows) = windows(chart)?;
+    let direct = direct(chart, &windows, sheet.width);
+    let mut frame = Frame::new(chart, &windows, sheet.width, direct)?;
+    let key = if direct.is_some() || chart.key == Key::Hidden { Vec::new() } else { legend::entries(chart) };
+    let rows = legend::rows(key, sheet.width - frame.left.0);
+    let (plots, height) = place(chart, &mut frame, &extents, &windows, sheet.width, legend::height(&rows), direct.is_some());
+    write(sheet, &plots, &rows, height)
+}
+
+/// The extents and windows of the panels, shared where they should be.
+fn windows(chart: &Chart) -> Result<(Vec<Extent>, Vec<Window>), ChartError> {
+    let extents: Vec<Extent> = chart.panels.iter().map(Extent::of).collect();
+    let all = extents.iter().copied().fold(Extent::default(), Extent::union);
+    let mut windows = Vec::with_capacity(extents.len());
+    for (index, (panel, extent)) in chart.panels.iter().zip(&extents).enumerate() {
+        resolve::check(panel)?;
+        if extent.drawable == 0 {
+            return Err(ChartError::Empty { panel: index });
+        }
+        windows.push(if chart.shared { extent.union(all) } else { *extent }.window(panel, index)?);
+    }
+    Ok((extents, windows))
+}
+
+/// The room that names at the ends of lines need, if that is where they should be.
+fn direct(chart: &Chart, windows: &[Window], width: f64) -> Option<f64> {
+    let ([panel], [_], Key::Auto) = (&chart.panels[..], windows, chart.key) else { return None };
+    let mut widest = 0.0_f64;
+    let mut count = 0;
+    for layer in &panel.layers {
+        match layer {
+            Layer::Line(line) => {
+                let Some(label) = &line.label else { continue };
+                widest = widest.max(label.width());
+                count += 1;
+            }
+            Layer::Marks(super::Marks { label: Some(_), .. })
+            | Layer::Bars(super::Bars { label: Some(_), .. })
+            | Layer::Band(super::Band { label: Some(_), .. })
+            | Layer::Area(super::Area { label: Some(_), .. })
+            | Layer::ErrorBars(super::ErrorBars { label: Some(_), .. }) => return None,
+            _ => {}
+        }
+    }
+    (count > 0 && count <= 10 && widest < 0.3 * width).then_some(widest + 22.0)
+}
+
+/// About how many labels fit on `length` units.
+fn label_count(length: f64, each: f64) -> usize {
+    ((length / each).floor() as usize).clamp(2, 8)
+}
+
+impl Frame {
+    fn new(chart: &Chart, windows: &[Window], sheet: f64, direct: Option<f64>) -> Result<Self, ChartError> {
+        let panels = &chart.panels;
+        let square = panels.iter().all(|panel| panel.square);
+        let joined = chart.shared || square;
+        let columns = chart.columns.unwrap_or(match (panels.len(), joined) {
+            (1, _) => 1,
+            (2 | 4, _) | (_, false) => 2,
+            _ => 3,
+        });
+        let columns = columns.min(panels.len());
+        let guess = (sheet / columns as f64 - 40.0).max(NARROWEST);
+        let widest = |(panel, window): (&Panel, &Window)| {
+            let ticks = panel.y.ticks(window.y, label_count(guess * ratio(panel, window, columns), 44.0));
+            let labels = ticks.iter().filter_map(|tick| tick.label.as_ref());
+            if panel.y.hidden { 0.0 } else { labels.map(|label| label.width() + 10.0).fold(0.0, f64::max) }
+        };
+        let left = panels.iter().zip(windows).map(widest).fold(2.0, f64::max);
+        let left = (left, if joined { 2.0 } else { left });
+        let right = direct.unwrap_or(if square { 4.0 } else { 14.0 });
+        let others = (columns - 1) as f64;
+        let room = sheet - left.0 - left.1 * others - right * columns as f64 - GAP * others;
+        let mut width = room / columns as f64;
+        if width < NARROWEST {
+            let needed = sheet + (NARROWEST - width) * columns as f64;
+            return Err(ChartError::Narrow { width: sheet, needed: needed.ceil() });
+        }
+        for (panel, window) in panels.iter().zip(windows) {
+            // No plot is higher than a hand, whatever its aspect.
+            let tallest = if panel.equal && columns == 1 { 360.0 } else { 440.0 };
+            width = width.min(tallest / ratio(panel, window, columns)).max(NARROWEST);
+        }
+        let any = |has: fn(&Panel) -> bool| panels.iter().any(has);
+        let head = if any(|p| p.title.is_some()) { 22.0 } else { 0.0 }
+            + if any(|p| !p.y.title.is_empty()) { 22.0 } else { 0.0 };
+        let foot = if any(|p| !p.x.hidden) { 24.0 } else { 2.0 } + if any(|p| !p.x.title.is_empty()) { 20.0 } else { 0.0 };
+        Ok(Self { columns, left, right, width, head: head + 8.0, foot })
+    }
+}
+
+/// How many times a plot is as high as wide.
+fn ratio(panel: &Panel, window: &Window, columns: usize) -> f64 {
+    if panel.equal {
+        return ((window.y.1 - window.y.0) / (window.x.1 - window.x.0)).clamp(0.05, 20.0);
+    }
+    panel.ratio.unwrap_or(if columns == 1 { 0.62 } else { 0.78 }).clamp(0.05, 20.0)
+}
+
+/// Places the panels below a key of height `top`; also the height of the sheet.
+fn place<'a>(
+    chart: &'a Chart, frame: &mut Frame, extents: &[Extent], windows: &[Window], sheet: f64, top: f64, direct: bool,
+) -> (Vec<Plot<'a>>, f64) {
+    let columns = frame.columns;
+    let joined = chart.shared || chart.panels.iter().all(|panel| panel.square);
+    let others = (columns - 1) as f64;
+    let used = frame.left.0 + frame.left.1 * others + (frame.width + frame.right) * columns as f64 + GAP * others;
+    let margin = ((sheet - used) / 2.0).max(0.0);
+    let mut plots = Vec::with_capacity(chart.panels.len());
+    let mut y = top;
+    for (row, panels) in chart.panels.chunks(columns).enumerate() {
+        let (mut plot_height, mut foot) = (0.0_f64, 4.0_f64);
+        for (column, panel) in panels.iter().enumerate() {
+            let index = row * columns + column;
+            let height = (frame.width * ratio(panel, &windows[index], columns)).max(24.0);
+            let labelled = (!joined || index + columns >= chart.panels.len(), !joined || column == 0);
+            let cell = margin + if column == 0 { 0.0 } else { frame.left.0 + (frame.width + frame.right + GAP) * column as f64 + frame.left.1 * (column - 1) as f64 };
+            let left = cell + if column == 0 { frame.left.0 } else { frame.left.1 };
+            let bottom = y + frame.head + height;
+            let rect = Rect {
+                left: hundredths(left),
+                top: hundredths(bottom - height),
+                right: hundredths(left) + hundredths(frame.width),
+                bottom: hundredths(bottom - height) + hundredths(height),
+            };
+            let x_ticks = fitting(panel, &windows[index], frame.width);
+            let y_ticks = panel.y.ticks(windows[index].y, label_count(height, 44.0));
+            let (extent, window) = (extents[index], windows[index]);
+            plot_height = plot_height.max(height);
+            foot = foot.max(if labelled.0 { frame.foot } else { 4.0 } + if extent.told().is_some() { 20.0 } else { 0.0 });
+            plots.push(Plot { panel, index, rect, window, x_ticks, y_ticks, labelled, head: (y, cell), extent, direct });
+        }
+        y += frame.head + plot_height + foot + if index_of_last(row, columns) < chart.panels.len() { GAP } else { 2.0 };
+    }
+    (plots, y)
+}
+
+fn index_of_last(row: usize, columns: usize) -> usize {
+    (row + 1) * columns
+}
+
+fn hundredths(units: f64) -> i32 {
+    (units * backend::UNIT).round() as i32
+}
+
+/// As many ticks on the x axis as fit without their labels touching.
+fn fitting(panel: &Panel, window: &Window, width: f64) -> Vec<Tick> {
+    let span = window.x.1 - window.x.0;
+    let collide = |ticks: &[Tick]| {
+        let labelled: Vec<_> = ticks.iter().filter_map(|tick| Some((tick.at, tick.label.as_ref()?.width()))).collect();
+        labelled.windows(2).any(|two| (two[1].0 - two[0].0) / span * width < f64::midpoint(two[0].1, two[1].1) + 8.0)
+    };
+    let mut count = label_count(width, 56.0);
+    loop {
+        let ticks = panel.x.ticks(window.x, count);
+        if count <= 1 || !collide(&ticks) {
+            return ticks;
+        }
+        count -= 1;
+    }
+}
+
+/// Writes the SVG.
+fn write(sheet: &Sheet, plots: &[Plot<'_>], rows: &[Vec<Entry>], height: f64) -> Result<Figure, ChartError> {
+    let height = hundredths(height.ceil());
+    let size = (hundredths(sheet.width).unsigned_abs(), height.unsigned_abs());
+    let mut svg = String::new();
+    backend::open(sheet, height, &mut svg);
+    {
+        let page = Page::new(&mut svg, size);
+        let left = plots.first().map_or(0.0, |plot| f64::from(plot.rect.left) / backend::UNIT);
+        legend::draw(rows, left, &page)?;
+        for plot in plots {
+            draw::plot(plot, &page)?;
+        }
+        page.finish()?;
+    }
+    svg.push_str("</svg>\n");
+    Ok(Figure { svg, width: sheet.width, height: f64::from(height) / backend::UNIT })
+}

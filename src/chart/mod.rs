@@ -1,0 +1,68 @@
+//! The drawing kit: from typed series to an SVG that could be printed in a textbook.
+//!
+//! A [`Chart`] is a grid of [`Panel`]s; a panel has two axes and [`Layer`]s. [`Chart::draw`] lays them out on a [`Sheet`] and
+//! writes a [`Figure`]. The kit computes no statistics: what is drawn was computed before.
+//!
+//! Invariants: the same chart gives the same bytes everywhere; coordinates are whole hundredths of a unit; what cannot be
+//! drawn is a [`ChartError`] or is told in the figure, and never left out in silence.
+
+mod axis;
+mod backend;
+mod direct;
+mod draw;
+mod error;
+mod geometry;
+mod layer;
+mod layout;
+mod legend;
+pub mod number;
+pub mod palette;
+mod paint;
+mod panel;
+mod resolve;
+mod shape;
+pub mod strata;
+mod text;
+mod ticks;
+
+pub use axis::Axis;
+pub use error::ChartError;
+pub use layer::{Area, Band, Bars, Corner, ErrorBars, Layer, Line, Marks, Note, Region, Rule};
+pub use palette::{Dash, Marker, Role, Style};
+pub use panel::{Chart, Key, Panel};
+pub use strata::Strata;
+pub use text::Rich;
+
+/// What a drawing is told from outside: whose it is, its words, and how wide it may be.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sheet {
+    /// The exhibit's id: every id within the SVG begins with it.
+    pub id: String,
+    /// The drawing's name, read out first.
+    pub title: String,
+    /// What there is to see, for who cannot see it.
+    pub description: String,
+    /// The width in units; a unit is a CSS pixel where there is room for the whole width.
+    pub width: f64,
+}
+
+impl Sheet {
+    /// The width that suits a column of text: full size on a desk, still readable when a phone halves it.
+    pub const WIDTH: f64 = 600.0;
+
+    /// A sheet of the usual width.
+    pub fn new(id: impl Into<String>, title: impl Into<String>, description: impl Into<String>) -> Self {
+        Self { id: id.into(), title: title.into(), description: description.into(), width: Self::WIDTH }
+    }
+}
+
+/// A finished drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// The `<svg>` element: right as a file of its own, and themed by [`palette::css`] where it stands in a page.
+    pub svg: String,
+    /// Its width in units.
+    pub width: f64,
+    /// Its height in units.
+    pub height: f64,
+}

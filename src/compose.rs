@@ -1,0 +1,155 @@
+//! The map: from a course's folder to a book, stage by stage.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use crate::diag::{Diagnostic, any_error};
+use crate::kinds::Outcome;
+use crate::parse::Course;
+use crate::plan::{Exhibit, Plan};
+use crate::render::Book;
+use crate::run::{Cache, Job, Observer, Ran};
+use crate::show::Shown;
+use crate::workspace::Workspace;
+use crate::{parse, plan, render, run, show, verify, workspace};
+
+/// What a book is made from.
+#[derive(Debug, Clone)]
+pub struct Request {
+    /// The course's folder.
+    pub root: PathBuf,
+    /// How many threads run experiments.
+    pub threads: usize,
+    /// Whether results may come from the cache.
+    pub cached: bool,
+}
+
+impl Request {
+    /// The course's cache, if it may be used.
+    pub fn cache(&self) -> Option<Cache> {
+        self.cached.then(|| cache(&self.root))
+    }
+}
+
+/// The cache of the course at `root`.
+pub fn cache(root: &std::path::Path) -> Cache {
+    Cache::new(root.join(".workbook").join("cache"))
+}
+
+/// A book and how it came about. With an error among the diagnostics there is no book.
+pub struct Composed {
+    /// The inputs, for the excerpts of diagnostics.
+    pub workspace: Workspace,
+    /// The course as written.
+    pub course: Course,
+    /// All that was due.
+    pub plan: Plan,
+    /// The exhibits, in the plan's order; empty if any of them could not be had.
+    pub shown: Vec<Shown>,
+    /// The site; empty if anything is wrong.
+    pub book: Book,
+    /// What became of each distinct experiment.
+    pub ran: Vec<Ran>,
+    /// Every complaint of every stage.
+    pub diagnostics: Vec<Diagnostic>,
+    /// How long each stage took.
+    pub timings: Vec<(&'static str, Duration)>,
+}
+
+/// What checking a course without running it gives.
+pub struct Planned {
+    /// The inputs, for the excerpts of diagnostics.
+    pub workspace: Workspace,
+    /// The course as written.
+    pub course: Course,
+    /// All that is due.
+    pub plan: Plan,
+    /// Every complaint.
+    pub diagnostics: Vec<Diagnostic>,
+    /// How long each stage took.
+    pub timings: Vec<(&'static str, Duration)>,
+}
+
+/// Reads, parses and plans the course: all that can be known without running.
+pub fn check(request: &Request) -> Planned {
+    let mut clock = Clock::default();
+    let (workspace, mut diagnostics) = clock.time("read", || workspace::load(&request.root));
+    let (course, complaints) = clock.time("parse", || parse::course(&workspace));
+    diagnostics.extend(complaints);
+    let (plan, complaints) = clock.time("plan", || plan::plan(&course, &workspace));
+    diagnostics.extend(complaints);
+    Planned { workspace, course, plan, diagnostics, timings: clock.times }
+}
+
+/// Makes the book of a course, all but writing it.
+///
+/// Experiments that are right run even if others are wrong, so that false claims are told in the same run as slips of the pen.
+pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
+    let Planned { workspace, course, plan, mut diagnostics, timings } = check(request);
+    let mut clock = Clock { times: timings };
+    let ran = clock.time("run", || run::run(jobs(&plan), request.cache().as_ref(), request.threads, observer));
+    diagnostics.extend(run::unsaved(&ran));
+    let (outcomes, failures) = outcomes(&plan, &ran);
+    diagnostics.extend(failures);
+    let (shown, complaints) = clock.time("show", || show::show(&plan, outcomes));
+    diagnostics.extend(complaints);
+    diagnostics.extend(show::check_values(&course, &plan, &shown));
+    let mut composed =
+        Composed { workspace, course, plan, shown: Vec::new(), book: Book::default(), ran, diagnostics, timings: Vec::new() };
+    if let Some(shown) = shown.into_iter().collect::<Option<Vec<_>>>() {
+        composed.shown = shown;
+    }
+    if !any_error(&composed.diagnostics) {
+        let (book, complaints) = clock
+            .time("render", || render::render(&composed.course, &composed.plan, &composed.shown, &composed.workspace));
+        composed.diagnostics.extend(complaints);
+        composed.diagnostics.extend(clock.time("verify", || verify::site::check(&book)));
+        composed.book = book;
+    } else {
+        composed.diagnostics.extend(render::check(&composed.course, &composed.plan, &composed.workspace));
+    }
+    composed.timings = clock.times;
+    composed
+}
+
+/// The jobs of a plan, one for each exhibit.
+pub fn jobs(plan: &Plan) -> Vec<Job> {
+    plan.exhibits.iter().map(job).collect()
+}
+
+/// The job of an exhibit.
+pub fn job(exhibit: &Exhibit) -> Job {
+    Job::new(vec![exhibit.id.clone()], Arc::clone(&exhibit.experiment), exhibit.seed)
+}
+
+/// The result of each exhibit with the digest of its key, where there is one, and what went wrong where there is none.
+fn outcomes(plan: &Plan, ran: &[Ran]) -> (Vec<Option<(String, Arc<Outcome>)>>, Vec<Diagnostic>) {
+    let by_id: BTreeMap<&str, &Ran> = ran.iter().flat_map(|ran| ran.ids.iter().map(move |id| (id.as_str(), ran))).collect();
+    let mut diagnostics = Vec::new();
+    let outcomes = plan.exhibits.iter().map(|exhibit| match by_id.get(exhibit.id.as_str()) {
+        Some(Ran { outcome: Ok(outcome), key, .. }) => Some((key.digest().to_string(), Arc::clone(outcome))),
+        Some(Ran { outcome: Err(failure), .. }) => {
+            diagnostics.push(show::failed(exhibit, failure));
+            None
+        }
+        None => None,
+    });
+    (outcomes.collect(), diagnostics)
+}
+
+/// How long each stage takes.
+#[derive(Default)]
+struct Clock {
+    times: Vec<(&'static str, Duration)>,
+}
+
+impl Clock {
+    fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let value = work();
+        self.times.push((stage, start.elapsed()));
+        value
+    }
+}

@@ -1,0 +1,38 @@
+//! The integrands: functions on the unit cube whose mean is known, and expressions that chapters write.
+
+use crate::catalogue::Entry;
+
+pub mod deck;
+pub mod disk;
+pub mod edge;
+pub mod expression;
+mod function;
+pub mod gaussian;
+pub mod identity;
+pub mod product;
+pub mod step;
+
+pub use expression::ExpressionError;
+pub use function::{Function, Reference};
+
+/// Every integrand, in the order of display.
+pub static INTEGRANDS: &[&dyn Integrand] =
+    &[&deck::Deck, &identity::Identity, &product::Product, &disk::Disk, &edge::Edge, &step::Step, &gaussian::Gaussian];
+
+/// A function on the unit cube.
+pub trait Integrand: Entry + Sync {
+    /// The number of dimensions; `None` where any will do.
+    fn dimensions(&self) -> Option<usize>;
+
+    /// Its value at `x`, of as many coordinates as it has dimensions.
+    fn evaluate(&self, x: &[f64]) -> f64;
+
+    /// Its exact integral over the cube of `d` dimensions, to the last digit of a `f64`; `None` where it is not known.
+    fn integral(&self, d: usize) -> Option<f64>;
+
+    /// Its exact variance over the cube of `d` dimensions.
+    fn variance(&self, d: usize) -> Option<f64>;
+
+    /// It as LaTeX.
+    fn formula(&self) -> &'static str;
+}

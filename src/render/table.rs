@@ -1,0 +1,67 @@
+//! Tables as HTML: heads with scopes, numerals aligned, formulas as MathML.
+
+use std::fmt::Write as _;
+
+use crate::exhibits::{Align, Cell, Table};
+use crate::plan::{Converter, escape};
+
+/// A table's HTML.
+pub(super) fn html(table: &Table, converter: &Converter) -> String {
+    let mut out = String::from("<div class=\"table-wrap\"><table class=\"data\">\n<thead><tr>");
+    for column in &table.columns {
+        let _ = write!(out, "<th scope=\"col\"{}>{}</th>", class(column.align, false), prose(&column.head, converter));
+    }
+    out.push_str("</tr></thead>\n<tbody>\n");
+    let body = table.rows.len().saturating_sub(table.footers);
+    rows(&table.rows[..body], table, converter, &mut out);
+    out.push_str("</tbody>\n");
+    if table.footers > 0 {
+        out.push_str("<tfoot>\n");
+        rows(&table.rows[body..], table, converter, &mut out);
+        out.push_str("</tfoot>\n");
+    }
+    out.push_str("</table></div>\n");
+    out
+}
+
+fn rows(rows: &[Vec<Cell>], table: &Table, converter: &Converter, out: &mut String) {
+    for row in rows {
+        out.push_str("<tr>");
+        for (index, (cell, column)) in row.iter().zip(&table.columns).enumerate() {
+            let (open, close) = if index < table.row_heads { ("th scope=\"row\"", "th") } else { ("td", "td") };
+            let _ = write!(out, "<{open}{}>{}</{close}>", class(column.align, cell.is_number()), content(cell, converter));
+        }
+        out.push_str("</tr>\n");
+    }
+}
+
+fn class(align: Align, number: bool) -> &'static str {
+    match (align, number) {
+        (Align::Right, _) | (_, true) => " class=\"number\"",
+        (Align::Centre, _) => " class=\"center\"",
+        (Align::Left, _) => "",
+    }
+}
+
+fn content(cell: &Cell, converter: &Converter) -> String {
+    match cell {
+        Cell::Math(tex) => formula(tex, converter),
+        Cell::Code(code) => format!("<code>{}</code>", escape(code)),
+        Cell::Text(text) => prose(text, converter),
+        cell => escape(&cell.printed()),
+    }
+}
+
+/// Plain words with LaTeX between dollars.
+fn prose(text: &str, converter: &Converter) -> String {
+    let mut out = String::new();
+    for (index, part) in text.split('$').enumerate() {
+        if index % 2 == 0 { out.push_str(&escape(part)) } else { out.push_str(&formula(part, converter)) }
+    }
+    out
+}
+
+/// A formula of a kind's own; one that cannot be read is shown as it is written.
+fn formula(tex: &str, converter: &Converter) -> String {
+    converter.convert(tex, false).unwrap_or_else(|_| format!("<code>{}</code>", escape(tex)))
+}

@@ -1,0 +1,106 @@
+//! Jittered sampling: one random point in each cell of a regular grid.
+//!
+//! **What.** The unit cube is cut into n = k^d equal cells, and each gets one uniform point of its own. Cell i has the coordinates of i written in base k,
+//! the first axis fastest.
+//!
+//! **Formula.** x_j = (c_j + u_j) / k, with c_j in 0..k and u_j uniform on [0, 1).
+//!
+//! **Guarantees.** One point in each cell; unbiased. The variance is never above that of independent points (no more than the variance within the cells is
+//! left), and falls like n^(-1-2/d) for smooth f, n^(-1-1/d) where f has an edge.
+//!
+//! **Cost.** One random number for each coordinate.
+//!
+//! **Limits.** n must be the d-th power of a whole number, any n for d = 1; n grows too fast with d for more than a few dimensions.
+//!
+//! **Papers.** R. L. Cook, Stochastic Sampling in Computer Graphics, ACM Trans. Graph. 5(1) (1986), doi 10.1145/7529.8927; the variance: S. Haber,
+//! Math. Comp. 20 (1966), doi 10.1090/S0025-5718-1966-0210285-0.
+//!
+//! ```
+//! use workbook::{samplers::{Sampler, jittered::Jittered}, seed::Seed};
+//! let points = Jittered.points(4, 2, Seed::new(7))?;
+//! let upper_right = points.rows().filter(|x| x[0] >= 0.5 && x[1] >= 0.5).count();
+//! assert_eq!(upper_right, 1);
+//! assert!(Jittered.points(5, 2, Seed::new(7)).is_err());
+//! # Ok::<(), workbook::samplers::Refused>(())
+//! ```
+
+use super::digits::{root, within};
+use super::{Guarantee, Refused, Sampler, refused};
+use crate::catalogue::{About, Entry, Paper};
+use crate::points::Points;
+use crate::seed::{Random, Seed};
+
+/// The sampler `jittered`.
+pub struct Jittered;
+
+static ABOUT: About = About {
+    key: "jittered",
+    title: "Jittered",
+    summary: "One uniform point in each cell of a regular grid of n = k^d cells.",
+    file: "samplers/jittered.rs",
+    source: include_str!("jittered.rs"),
+    papers: &[
+        Paper {
+            authors: "R. L. Cook",
+            year: 1986,
+            title: "Stochastic Sampling in Computer Graphics",
+            venue: "ACM Transactions on Graphics 5(1), 51-72",
+            doi: Some("10.1145/7529.8927"),
+        },
+        Paper {
+            authors: "S. Haber",
+            year: 1966,
+            title: "A Modified Monte-Carlo Quadrature",
+            venue: "Mathematics of Computation 20(95), 361-368",
+            doi: Some("10.1090/S0025-5718-1966-0210285-0"),
+        },
+    ],
+};
+
+impl Entry for Jittered {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+}
+
+impl Sampler for Jittered {
+    fn guarantees(&self) -> &'static [Guarantee] {
+        &[Guarantee::Strata, Guarantee::Unbiased]
+    }
+
+    fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
+        refused::check(n, d, usize::MAX)?;
+        let dimensions = d as u32;
+        let k = root(n as u64, dimensions);
+        let power = |k: u64| k.checked_pow(dimensions).map(|power| power as usize);
+        if power(k) == Some(n) {
+            return Ok(());
+        }
+        Err(Refused::Count {
+            n,
+            below: power(k).filter(|&n| n > 0),
+            above: power(k + 1),
+            rule: "k^d for a whole number k",
+        })
+    }
+
+    fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
+        self.admits(n, d)?;
+        let mut coordinates = refused::allocate(n, d)?;
+        let k = root(n as u64, d as u32);
+        let mut random = seed.generator();
+        for (i, point) in coordinates.chunks_exact_mut(d).enumerate() {
+            jitter(i as u64, k, point, &mut random);
+        }
+        refused::points(d, coordinates)
+    }
+}
+
+/// A uniform point in cell `cell` of the grid of `k` cells an axis, the first axis fastest.
+pub fn jitter(cell: u64, k: u64, point: &mut [f64], random: &mut Random) {
+    let mut rest = cell;
+    for x in point {
+        *x = within(rest % k, k, random.uniform());
+        rest /= k;
+    }
+}

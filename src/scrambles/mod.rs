@@ -1,0 +1,124 @@
+//! The scrambles: randomisations of digital samplers, a catalogue of their own, combined by name as `sobol+xor`.
+
+use crate::catalogue::Entry;
+use crate::points::Points;
+use crate::samplers::{Guarantee, Radix, Refused, Sampler, allocate, points as checked};
+use crate::seed::Seed;
+
+pub mod xor;
+
+/// Every scramble, in the order of display.
+pub static SCRAMBLES: &[&dyn Scramble] = &[&xor::Xor];
+
+/// A map of the coordinates of a sampler, one for each axis, that keeps what makes the sampler good.
+pub trait Scramble: Entry + Sync {
+    /// Whether the seed matters.
+    fn is_random(&self) -> bool {
+        true
+    }
+
+    /// Whether it can be combined with `sampler`; the reason if not.
+    fn combines(&self, sampler: &dyn Sampler) -> Result<(), &'static str>;
+
+    /// Whether `guarantee` of a sampler still holds for the scrambled points.
+    fn keeps(&self, guarantee: Guarantee) -> bool;
+
+    /// The map that shuffles the order of the points, if it does; most leave the order alone.
+    fn order(&self, _seed: Seed) -> Option<Box<dyn Fn(u64) -> u64 + Send + Sync>> {
+        None
+    }
+
+    /// Its action on the axis `axis`, whose base is `radix`; `seed` is the scramble's, the same for all axes.
+    fn action(&self, radix: Radix, axis: usize, seed: Seed) -> Action;
+}
+
+/// What a scramble does to one axis.
+pub enum Action {
+    /// It maps the digits.
+    Digits(Box<dyn DigitMap>),
+    /// It maps the coordinate, in [0, 1) before and after.
+    Coordinate(Box<dyn Fn(f64) -> f64 + Send + Sync>),
+}
+
+/// A map from numerators to scrambled coordinates.
+pub trait DigitMap: Send + Sync {
+    /// The scrambled coordinate, in [0, 1), of `numerator`.
+    fn coordinate(&self, numerator: u64) -> f64;
+
+    /// The same for many: the coordinate of `numerators[i]` goes to `out[i * stride]`.
+    fn coordinates(&self, numerators: &[u64], out: &mut [f64], stride: usize) {
+        for (x, &numerator) in out.iter_mut().step_by(stride).zip(numerators) {
+            *x = self.coordinate(numerator);
+        }
+    }
+}
+
+impl<F: Fn(u64) -> f64 + Send + Sync> DigitMap for F {
+    fn coordinate(&self, numerator: u64) -> f64 {
+        self(numerator)
+    }
+}
+
+/// Points handled together: their numerators stay in the nearest cache.
+const BLOCK: usize = 256;
+
+/// The `n x d` points of `sampler` scrambled by `scramble`.
+pub(crate) fn points(
+    sampler: &dyn Sampler,
+    scramble: &dyn Scramble,
+    n: usize,
+    d: usize,
+    seed: Seed,
+) -> Result<Points, Refused> {
+    sampler.admits(n, d)?;
+    let own = seed.named(scramble.about().key);
+    let Some(digital) = sampler.digital(n, d) else {
+        let points = sampler.points(n, d, seed.named(sampler.about().key))?;
+        return shifted(&points, scramble, own);
+    };
+    let mut coordinates = allocate(n, d)?;
+    let order = scramble.order(own);
+    let mut numerators = [0; BLOCK];
+    for axis in 0..d {
+        let radix = digital.radix(axis);
+        let action = scramble.action(radix, axis, own);
+        for (k, rows) in coordinates.chunks_mut(BLOCK * d).enumerate() {
+            let numerators = &mut numerators[..rows.len() / d];
+            let first = (k * BLOCK) as u64;
+            match &order {
+                None => digital.numerators(first, axis, numerators),
+                Some(order) => {
+                    for (index, numerator) in (first..).zip(&mut *numerators) {
+                        *numerator = digital.numerator(order(index), axis);
+                    }
+                }
+            }
+            apply(&action, radix, numerators, &mut rows[axis..], d);
+        }
+    }
+    checked(d, coordinates)
+}
+
+/// Applies `action` to one axis of a block.
+fn apply(action: &Action, radix: Radix, numerators: &[u64], out: &mut [f64], stride: usize) {
+    match action {
+        Action::Digits(map) => map.coordinates(numerators, out, stride),
+        Action::Coordinate(map) => {
+            for (x, &numerator) in out.iter_mut().step_by(stride).zip(numerators) {
+                *x = map(radix.coordinate(numerator));
+            }
+        }
+    }
+}
+
+/// Points without digits under a scramble that maps coordinates.
+fn shifted(points: &Points, scramble: &dyn Scramble, seed: Seed) -> Result<Points, Refused> {
+    let d = points.dimensions();
+    let mut coordinates = points.coordinates().to_vec();
+    for axis in 0..d {
+        if let Action::Coordinate(map) = scramble.action(Radix::new(2), axis, seed) {
+            coordinates.iter_mut().skip(axis).step_by(d).for_each(|x| *x = map(*x));
+        }
+    }
+    checked(d, coordinates)
+}

@@ -1,0 +1,8 @@
+//! Statistics of experiments: portable functions, moments, quadrature, regression, the normal law, histograms.
+
+pub mod histogram;
+pub mod moments;
+pub mod normal;
+pub mod portable;
+pub mod quadrature;
+pub mod regression;

@@ -1,0 +1,309 @@
+//! The battery: every sampler, alone and with every scramble, is held to what it declares over many n, d and seeds.
+//!
+//! Each check is a function from points to a verdict, so that `bite.rs` can run it on samplers that are broken on purpose.
+
+use workbook::points::{Points, slab};
+use workbook::samplers::{Guarantee, Method};
+use workbook::seed::Seed;
+use workbook::stats::moments::Moments;
+
+/// The counts tried: powers of 2, 3, 5 and of small cubes, and what lies between.
+const COUNTS: &[usize] = &[1, 2, 3, 4, 5, 7, 8, 9, 16, 25, 27, 31, 49, 64, 81, 100, 121, 125, 128, 243, 256];
+
+/// The dimensions tried.
+const DIMENSIONS: &[usize] = &[1, 2, 3, 5, 8];
+
+/// Every method with every admitted n and d.
+fn cases() -> impl Iterator<Item = (Method, usize, usize)> {
+    Method::all().flat_map(|method| {
+        let pairs = DIMENSIONS.iter().flat_map(|&d| COUNTS.iter().map(move |&n| (n, d)));
+        pairs.filter(move |&(n, d)| method.admits(n, d).is_ok()).map(move |(n, d)| (method, n, d))
+    })
+}
+
+fn points(method: Method, n: usize, d: usize, seed: u64) -> Points {
+    method.points(n, d, Seed::new(seed)).unwrap_or_else(|error| panic!("{method}: {error}"))
+}
+
+/// All coordinates in [0, 1).
+pub fn in_range(points: &Points) -> bool {
+    points.coordinates().iter().all(|x| (0.0..1.0).contains(x))
+}
+
+/// Every interval of the 1/n grid on every axis holds one point.
+pub fn is_latin(points: &Points) -> bool {
+    let n = points.len();
+    (0..points.dimensions()).all(|axis| {
+        let mut hit = vec![false; n];
+        points.axis(axis).for_each(|x| hit[slab(x, n)] = true);
+        hit.iter().all(|&hit| hit)
+    })
+}
+
+/// Every cell of the k^d = n grid holds one point.
+pub fn is_stratified(points: &Points) -> bool {
+    let (n, d) = (points.len(), points.dimensions());
+    let k = (1..=n).find(|k| k.pow(d as u32) >= n).unwrap_or(1);
+    occupancy(points.rows(), &vec![k; d]).iter().all(|&count| count == 1)
+}
+
+/// How many points fall in each box of the grid with `cuts[j]` slabs on axis j.
+fn occupancy<'a>(rows: impl Iterator<Item = &'a [f64]>, cuts: &[usize]) -> Vec<u32> {
+    let mut counts = vec![0; cuts.iter().product()];
+    for row in rows {
+        let cell = row.iter().zip(cuts).rev().fold(0, |cell, (&x, &k)| cell * k + slab(x, k));
+        counts[cell] += 1;
+    }
+    counts
+}
+
+/// All ways to write `total` as a sum of `parts` whole numbers.
+fn compositions(total: u32, parts: usize) -> Vec<Vec<u32>> {
+    if parts == 1 {
+        return vec![vec![total]];
+    }
+    (0..=total)
+        .flat_map(|first| {
+            compositions(total - first, parts - 1).into_iter().map(move |mut rest| {
+                rest.insert(0, first);
+                rest
+            })
+        })
+        .collect()
+}
+
+/// Every elementary interval of volume b^(t-m) holds b^t of the b^m points of each aligned block.
+pub fn is_net(points: &Points, base: u32, t: u32) -> bool {
+    let (n, d, base) = (points.len(), points.dimensions(), base as usize);
+    let mut m = t;
+    while base.pow(m) <= n {
+        let block = base.pow(m);
+        let shapes = compositions(m - t, d);
+        for rows in points.coordinates().chunks_exact(block * d) {
+            for shape in &shapes {
+                let cuts: Vec<usize> = shape.iter().map(|&k| base.pow(k)).collect();
+                if occupancy(rows.chunks_exact(d), &cuts).iter().any(|&count| count as usize != base.pow(t)) {
+                    return false;
+                }
+            }
+        }
+        m += 1;
+    }
+    true
+}
+
+/// Of every b1^k1 ... bd^kd consecutive points, wherever they start, one lies in each box, for all exponents that fit.
+pub fn fills_boxes(points: &Points, bases: &[usize]) -> bool {
+    let (n, d) = (points.len(), points.dimensions());
+    let mut shapes = vec![vec![]];
+    for &base in &bases[..d] {
+        shapes = shapes
+            .into_iter()
+            .flat_map(|shape: Vec<usize>| {
+                std::iter::successors(Some(1), move |cuts| Some(cuts * base)).take_while(|&cuts| cuts <= n).map(
+                    move |cuts| {
+                        let mut shape = shape.clone();
+                        shape.push(cuts);
+                        shape
+                    },
+                )
+            })
+            .filter(|shape| shape.iter().product::<usize>() <= n)
+            .collect();
+    }
+    shapes.iter().all(|cuts| {
+        let run: usize = cuts.iter().product();
+        [0, 1, (n - run) / 2, n - run].iter().filter(|&&start| start + run <= n).all(|start| {
+            let rows = points.rows().skip(*start).take(run);
+            occupancy(rows, cuts).iter().all(|&count| count == 1)
+        })
+    })
+}
+
+#[test]
+fn shape_and_range() {
+    for (method, n, d) in cases() {
+        for seed in 0..3 {
+            let points = points(method, n, d, seed);
+            assert_eq!((points.len(), points.dimensions()), (n, d), "{method}");
+            assert!(in_range(&points), "{method}: n = {n}, d = {d}, seed {seed}");
+        }
+    }
+}
+
+#[test]
+fn same_call_same_bits_and_only_random_methods_heed_the_seed() {
+    for (method, n, d) in cases().filter(|&(_, n, _)| n >= 8) {
+        let first = points(method, n, d, 1);
+        assert_eq!(first, points(method, n, d, 1), "{method}");
+        assert_eq!(first != points(method, n, d, 2), method.is_random(), "{method}: n = {n}, d = {d}");
+    }
+}
+
+#[test]
+fn prefixes_are_the_shorter_sets() {
+    for (method, n, d) in cases().filter(|(method, ..)| method.guarantees().contains(&Guarantee::Prefix)) {
+        let longest = points(method, 300, d, 5);
+        let prefix = Points::from_rows(d, longest.coordinates()[..n * d].to_vec()).expect("whole rows");
+        assert_eq!(prefix, points(method, n, d, 5), "{method}: n = {n}, d = {d}");
+    }
+}
+
+#[test]
+fn latin_sets_have_one_point_a_slab() {
+    for (method, n, d) in cases().filter(|(method, ..)| method.guarantees().contains(&Guarantee::Latin)) {
+        for seed in 0..5 {
+            assert!(is_latin(&points(method, n, d, seed)), "{method}: n = {n}, d = {d}, seed {seed}");
+        }
+    }
+}
+
+#[test]
+fn strata_have_one_point_a_cell() {
+    for (method, n, d) in cases().filter(|(method, ..)| method.guarantees().contains(&Guarantee::Strata)) {
+        for seed in 0..5 {
+            assert!(is_stratified(&points(method, n, d, seed)), "{method}: n = {n}, d = {d}, seed {seed}");
+        }
+    }
+}
+
+#[test]
+fn nets_fill_every_elementary_interval_of_every_block() {
+    let mut checked = 0;
+    for (method, n, d) in cases().filter(|&(_, n, _)| n >= 64) {
+        let Some(net) = method.net(d) else { continue };
+        for seed in 0..2 {
+            assert!(
+                is_net(&points(method, n, d, seed), net.base, net.t),
+                "{method}: n = {n}, d = {d}, seed {seed}, {net:?}"
+            );
+        }
+        checked += 1;
+    }
+    assert!(checked > 20, "only {checked} nets were checked");
+}
+
+/// Every single axis of a net in base 2, to the last one, has one point in each dyadic interval.
+#[test]
+fn every_axis_alone_is_a_net() {
+    let d = 256;
+    for method in Method::all().filter(|method| method.admits(1, d).is_ok() && method.net(d).is_some()) {
+        let points = points(method, 256, d, 3);
+        for axis in 0..d {
+            let column = Points::from_rows(1, points.axis(axis).collect()).expect("one column");
+            assert!(is_net(&column, 2, 0), "{method}: axis {axis}");
+        }
+    }
+}
+
+#[test]
+fn consecutive_points_fill_boxes() {
+    let primes = workbook::samplers::halton::PRIMES.map(|prime| prime as usize);
+    for method in Method::all().filter(|method| method.guarantees().contains(&Guarantee::Boxes)) {
+        for d in 1..=4 {
+            for seed in 0..2 {
+                assert!(fills_boxes(&points(method, 240, d, seed), &primes), "{method}: d = {d}, seed {seed}");
+            }
+        }
+    }
+}
+
+/// Over seeds the points together are uniform (mean and second moment on every axis, no correlation of neighbouring axes): within 5 standard errors, which
+/// are measured over the seeds.
+#[test]
+fn points_are_uniform_over_seeds() {
+    for (method, n, d) in cases().filter(|&(_, n, d)| [1, 8, 9, 16].contains(&n) && d <= 3) {
+        if method.guarantees().contains(&Guarantee::Unbiased) {
+            let worst = worst_moment(|seed| points(method, n, d, seed));
+            assert!(worst < 5.2, "{method}: n = {n}, d = {d}: a moment is off by {worst} standard errors");
+        }
+    }
+}
+
+/// By how many standard errors the moments of pooled points are off, at worst, over 400 seeds.
+pub fn worst_moment(points: impl Fn(u64) -> Points) -> f64 {
+    let d = points(0).dimensions();
+    let mut moments = vec![[Moments::default(); 3]; d];
+    for seed in 0..400 {
+        let points = points(seed);
+        for (axis, moments) in moments.iter_mut().enumerate() {
+            let mean = |f: &dyn Fn(&[f64]) -> f64| points.rows().map(f).sum::<f64>() / points.len() as f64;
+            moments[0].push(mean(&|x| x[axis] - 0.5));
+            moments[1].push(mean(&|x| (x[axis] - 0.5) * (x[axis] - 0.5) - 1.0 / 12.0));
+            if d > 1 {
+                moments[2].push(mean(&|x| (x[axis] - 0.5) * (x[(axis + 1) % d] - 0.5)));
+            }
+        }
+    }
+    let scores = moments
+        .iter()
+        .flatten()
+        .filter(|moments| moments.count() > 0)
+        .map(|moments| moments.mean().abs() / moments.standard_error());
+    scores.fold(0.0, f64::max)
+}
+
+/// What cannot be given is refused with the argument and its limits, before anything is allocated.
+#[test]
+fn bad_counts_and_dimensions_are_refused() {
+    for method in Method::all() {
+        for (n, d) in [(0, 1), (4, 0), (usize::MAX, 1), (usize::MAX, usize::MAX), (1 << 40, 1 << 40)] {
+            let error = method.points(n, d, Seed::new(1)).expect_err("out of range");
+            assert!(error.to_string().starts_with(if n == 4 { "d = " } else { "" }), "{method}: {error}");
+        }
+    }
+    let refused =
+        |name: &str, n, d| Method::parse(name).expect(name).points(n, d, Seed::new(1)).expect_err(name).to_string();
+    assert_eq!(
+        refused("jittered", 15, 2),
+        "n = 15 is not possible: it must be k^d for a whole number k; the nearest are 9 and 16"
+    );
+    assert_eq!(refused("sobol", 4, 257), "d = 257 is not possible: d must be from 1 to 256");
+    assert_eq!(refused("van-der-corput", 4, 2), "d = 2 is not possible: this method has 1 dimension");
+    assert_eq!(refused("independent", 0, 1), "n = 0 is not possible: it must be at least 1; the nearest is 1");
+    assert!(refused("independent", 1 << 40, 1).contains("at most 1073741824"));
+}
+
+#[test]
+fn names_read_back_and_slips_are_answered() {
+    for method in Method::all() {
+        assert_eq!(Method::parse(&method.name()), Ok(method));
+        assert!(!method.title().is_empty() && !method.abouts().is_empty());
+    }
+    let error = |name: &str| Method::parse(name).expect_err(name).to_string();
+    assert_eq!(error("sobl"), "there is no sampler `sobl`; did you mean `sobol`?");
+    assert_eq!(error("sobol+xorr"), "there is no scramble `xorr`; did you mean `xor`?");
+    assert_eq!(
+        error("independent+xor"),
+        "`independent` cannot be combined with `xor`: its coordinates have no digits to shift"
+    );
+}
+
+/// Catalogues: unique keys, sources that are the file named, at least one paper each, and every file of the folder listed.
+#[test]
+fn catalogues_are_complete() {
+    use workbook::catalogue::About;
+    let samplers: Vec<&About> = workbook::samplers::SAMPLERS.iter().map(|entry| entry.about()).collect();
+    let scrambles: Vec<&About> = workbook::scrambles::SCRAMBLES.iter().map(|entry| entry.about()).collect();
+    let integrands: Vec<&About> = workbook::integrands::INTEGRANDS.iter().map(|entry| entry.about()).collect();
+    let helpers = [
+        ("samplers", vec!["mod", "digits", "method", "refused"], samplers),
+        ("scrambles", vec!["mod"], scrambles),
+        ("integrands", vec!["mod", "function"], integrands),
+    ];
+    for (folder, others, abouts) in helpers {
+        let mut files: Vec<String> = others.iter().map(|name| format!("{folder}/{name}.rs")).collect();
+        for about in &abouts {
+            assert!(!about.papers.is_empty(), "{}", about.key);
+            assert_eq!(abouts.iter().filter(|other| other.key == about.key).count(), 1, "{}", about.key);
+            let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(about.file);
+            assert_eq!(std::fs::read_to_string(file).expect("the file named"), about.source, "{}", about.key);
+            files.push(about.file.to_owned());
+        }
+        let listing = std::fs::read_dir(format!("{}/src/{folder}", env!("CARGO_MANIFEST_DIR"))).expect("the folder");
+        for path in listing.map(|entry| entry.expect("an entry").path()).filter(|path| path.extension().is_some()) {
+            let name = format!("{folder}/{}", path.file_name().expect("a name").to_string_lossy());
+            assert!(files.contains(&name), "{name} is in no catalogue");
+        }
+    }
+}

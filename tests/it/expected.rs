@@ -1,0 +1,160 @@
+//! Exact and published values: sequences against tables, variances and rates against theory.
+
+use workbook::integrands::Function;
+use workbook::samplers::halton::radical_inverse;
+use workbook::samplers::sobol::sobol;
+use workbook::samplers::van_der_corput::bit_reversal;
+use workbook::samplers::{Method, Sampler, halton::Halton, sobol::Sobol};
+use workbook::seed::Seed;
+use workbook::stats::moments::{Moments, root_mean_square};
+use workbook::stats::{portable, regression::least_squares};
+
+/// The rows of a table of numerators, without the index.
+fn numerators(text: &str) -> Vec<Vec<u32>> {
+    let rows = text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+    rows.map(|line| line.split(',').skip(1).map(|cell| cell.parse().expect("a number")).collect()).collect()
+}
+
+#[test]
+fn sobol_is_the_joe_kuo_table_in_natural_order() {
+    let table = numerators(include_str!("../data/sobol_joekuo_d40_n256.csv"));
+    assert_eq!((table.len(), table[0].len()), (256, 40));
+    let points = Sobol.points(256, 40, Seed::new(1)).expect("admitted");
+    for (i, (row, point)) in table.iter().zip(points.rows()).enumerate() {
+        for (axis, (&numerator, &x)) in row.iter().zip(point).enumerate() {
+            assert_eq!(x, f64::from(numerator) / 1024.0, "point {i}, axis {axis}");
+            assert_eq!(x, sobol(i as u64, axis));
+        }
+    }
+}
+
+#[test]
+fn halton_is_the_exact_table() {
+    let text = include_str!("../data/halton_d33_n256.csv");
+    let header = text.lines().find(|line| line.starts_with("i,")).expect("a header");
+    let scales: Vec<f64> = header
+        .split(',')
+        .skip(1)
+        .map(|name| {
+            let (base, exponent) = name.trim_start_matches("num_over_").split_once('^').expect("a power");
+            portable::power(base.parse().expect("a base"), exponent.parse().expect("an exponent"))
+        })
+        .collect();
+    let points = Halton.points(256, 33, Seed::new(1)).expect("admitted");
+    for (i, (row, point)) in numerators(text).iter().zip(points.rows()).enumerate() {
+        for axis in 0..33 {
+            assert_eq!(point[axis], f64::from(row[axis]) / scales[axis], "point {i}, axis {axis}");
+        }
+    }
+}
+
+/// Trap 3: where digits summed in single precision reach 1, the integer form stays below, in `f64` and rounded to `f32` towards 0.
+#[test]
+fn radical_inverses_stay_below_one_where_the_lecture_reaches_it() {
+    let traps =
+        [(33_554_431, 2), (43_046_720, 3), (29_296_874, 5), (28_824_004, 7), (17_715_609, 11), (62_748_516, 13)];
+    for (index, base) in traps {
+        let x = radical_inverse(index, base);
+        let mut exact = (0_u128, 1_u128);
+        let mut rest = u128::from(index);
+        while rest > 0 {
+            exact = (exact.0 * u128::from(base) + rest % u128::from(base), exact.1 * u128::from(base));
+            rest /= u128::from(base);
+        }
+        assert_eq!(x, exact.0 as f64 / exact.1 as f64);
+        assert!(x < 1.0 && x > 0.999_999);
+    }
+    assert_eq!(bit_reversal(33_554_431), 1.0 - 1.0 / 33_554_432.0);
+    for index in [u64::from(u32::MAX), u64::MAX, 1 << 53, (1 << 53) - 1] {
+        assert!(bit_reversal(index) < 1.0);
+        for base in 2..300 {
+            assert!(radical_inverse(index, base) < 1.0, "index {index}, base {base}");
+        }
+    }
+}
+
+/// Trap 1 and the table of the lecture: the mean of the first n van der Corput points, in the digits known.
+#[test]
+fn the_deck_by_van_der_corput() {
+    let function = Function::parse("exp-sin").expect("catalogued");
+    for (n, estimate) in
+        [(1_u64, 1.0), (10, 1.732_755_503_189_878_7), (16, 1.769_131_563_134_057_2), (100, 1.773_676_336_328_305_7)]
+    {
+        let moments: Moments = (0..n).map(|i| function.evaluate(&[bit_reversal(i)])).collect();
+        assert!((moments.mean() - estimate).abs() < 1e-14, "n = {n}: {}", moments.mean());
+    }
+    let top = function.evaluate(&[(std::f64::consts::PI / 6.0).sqrt()]);
+    assert!(top <= std::f64::consts::E && std::f64::consts::E - top < 1e-9);
+}
+
+/// First 131 points of axes 32 and 33 lie on one line; 256 points are still correlated at 0.849.
+#[test]
+fn halton_axes_32_and_33_are_correlated() {
+    for (n, correlation) in [(131, 1.0), (256, 0.849)] {
+        let points = Halton.points(n, 33, Seed::new(1)).expect("admitted");
+        let (x, y): (Vec<f64>, Vec<f64>) = points.rows().map(|row| (row[31], row[32])).unzip();
+        let (slope, inverse) =
+            (least_squares(&x, &y).expect("a line").slope, least_squares(&y, &x).expect("a line").slope);
+        let measured = slope.signum() * (slope * inverse).sqrt();
+        assert!((measured - correlation).abs() < 5e-4, "n = {n}: {measured}");
+    }
+}
+
+/// The errors of `replicates` estimates of the mean of `function`.
+fn errors(method: &str, function: &str, n: usize, replicates: u64) -> Vec<f64> {
+    let (method, function) = (Method::parse(method).expect(method), Function::parse(function).expect(function));
+    let d = function.dimensions().unwrap_or(2);
+    let exact = function.integral(d).expect("known").value;
+    let seed = Seed::new(20);
+    let estimate =
+        |points: workbook::points::Points| points.rows().map(|x| function.evaluate(x)).collect::<Moments>().mean();
+    (0..replicates).map(|k| estimate(method.points(n, d, seed.at(k)).expect("admitted")) - exact).collect()
+}
+
+/// The variance of the 16-point estimate, where theory knows it: within 5 standard errors of the sample variance.
+#[test]
+fn variances_at_16_points_are_the_exact_ones() {
+    let cases = [
+        ("independent", "xy", 7.0 / 2304.0),
+        ("jittered", "xy", 127.0 / 589_824.0),
+        ("latin-hypercube", "xy", 71407.0 / 150_994_944.0),
+        ("independent", "x", 1.0 / 192.0),
+        ("jittered", "x", 1.0 / 49152.0),
+        ("latin-hypercube", "x", 1.0 / 49152.0),
+        ("van-der-corput+xor", "x", 1.0 / 3072.0),
+        ("sobol+xor", "x", 1.0 / 3072.0),
+    ];
+    for (method, function, exact) in cases {
+        let squares: Moments = errors(method, function, 16, 4000).iter().map(|error| error * error).collect();
+        let z = (squares.mean() - exact) / squares.standard_error();
+        assert!(z.abs() < 5.0, "{method} on {function}: {} against {exact}, z = {z}", squares.mean());
+    }
+}
+
+/// The slope of log RMSE over log n for n = 4^2 .. 4^6.
+fn slope(method: &str, function: &str) -> f64 {
+    let (mut x, mut y) = (Vec::new(), Vec::new());
+    for exponent in [4, 6, 8, 10, 12] {
+        let n = 1_usize << exponent;
+        x.push(f64::from(exponent));
+        y.push(portable::log2(root_mean_square(&errors(method, function, n, 64))));
+    }
+    least_squares(&x, &y).expect("five points").slope
+}
+
+/// The published rates in two dimensions: within 0.12 at 64 replicates and 4096 points, which tells every two rates apart that differ in kind.
+#[test]
+fn slopes_of_the_error_are_the_published_ones() {
+    let table = [
+        ("independent", [-0.51, -0.50, -0.50, -0.51, -0.51]),
+        ("jittered", [-0.76, -0.75, -0.73, -1.00, -0.99]),
+        ("latin-hypercube", [-0.51, -0.51, -0.99, -0.51, -0.51]),
+        ("sobol+xor", [-0.77, -0.52, -1.02, -1.01, -1.01]),
+    ];
+    for (method, slopes) in table {
+        for (function, expected) in ["disk", "edge", "step", "gaussian", "xy"].into_iter().zip(slopes) {
+            let measured = slope(method, function);
+            assert!((measured - expected).abs() < 0.12, "{method} on {function}: {measured} against {expected}");
+        }
+    }
+}

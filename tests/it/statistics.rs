@@ -1,0 +1,160 @@
+//! Functions, expressions and statistics against exact values.
+
+use workbook::integrands::{Function, INTEGRANDS};
+use workbook::stats::quadrature::integrate;
+
+/// Every catalogued smooth integrand agrees with quadrature, in mean and variance.
+#[test]
+fn catalogued_integrals_agree_with_quadrature() {
+    let mut smooth = 0;
+    for integrand in INTEGRANDS {
+        let d = integrand.dimensions().unwrap_or(2);
+        let (Some(mean), Some(variance)) = (integrand.integral(d), integrand.variance(d)) else { continue };
+        let Some(numeric) = integrate(d, |x| integrand.evaluate(x)) else { continue };
+        let square = integrate(d, |x| (integrand.evaluate(x) - mean) * (integrand.evaluate(x) - mean)).expect("smooth");
+        let key = integrand.about().key;
+        assert!((numeric.value - mean).abs() <= numeric.error + 1e-13, "{key}: {numeric:?}, stated {mean}");
+        assert!(
+            (square.value - variance).abs() <= square.error + 1e-13,
+            "{key}: variance {square:?}, stated {variance}"
+        );
+        smooth += 1;
+    }
+    assert!(smooth >= 4, "only {smooth} integrands were smooth enough to check");
+}
+
+/// Integrands with jumps, on a fine grid of midpoints: the error is at most the share of cells that the jump crosses.
+#[test]
+fn discontinuous_integrals_agree_with_a_fine_grid() {
+    for (key, crossed) in [("disk", 2.0), ("edge", 2.0), ("step", 1.0)] {
+        let function = Function::parse(key).expect("catalogued");
+        let k = 1000_u32;
+        let middle = |i: u32| (f64::from(i) + 0.5) / f64::from(k);
+        let total: f64 = (0..k * k).map(|i| function.evaluate(&[middle(i % k), middle(i / k)])).sum();
+        let (mean, stated) = (total / f64::from(k * k), function.integral(2).expect("known").value);
+        assert!((mean - stated).abs() <= crossed / f64::from(k), "{key}: {mean} against {stated}");
+        let variance = function.variance(2).expect("known");
+        assert!((variance - stated * (1.0 - stated)).abs() < 1e-15, "{key}: variance {variance}");
+    }
+}
+
+/// Each expression at a point, against arithmetic by hand.
+#[test]
+fn expressions_mean_what_print_means() {
+    let cases: &[(&str, &[f64], f64)] = &[
+        ("-x^2", &[3.0], -9.0),
+        ("2^3^2", &[], 512.0),
+        ("2^-2", &[], 0.25),
+        ("-2^2 + x1", &[1.0], -3.0),
+        ("1 - 2 - 3", &[], -4.0),
+        ("8/4/2", &[], 1.0),
+        ("x*y + z", &[2.0, 3.0, 4.0], 10.0),
+        ("x < 0.3", &[0.2], 1.0),
+        ("x1 >= x2", &[0.2, 0.3], 0.0),
+        ("x^2 + y^2 < 2/pi", &[0.5, 0.5], 1.0),
+        ("max(x, 1 - x)", &[0.2], 0.8),
+        ("pow(x, 3) + 1e-3 + .5 + 2.", &[2.0], 10.501),
+        ("sqrt(abs(-4))", &[], 2.0),
+        ("+x - -x", &[1.5], 3.0),
+        ("2 ** 3 * x", &[2.0], 16.0),
+        ("x^0.5", &[4.0], 2.0),
+        ("-(1 + x)", &[1.0], -2.0),
+        ("e^x - exp(x)", &[1.0], 0.0),
+        ("x12", &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 7.0], 7.0),
+    ];
+    for (text, x, value) in cases {
+        let function = Function::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+        assert!((function.evaluate(x) - value).abs() < 1e-15, "{text}: {}", function.evaluate(x));
+    }
+}
+
+/// The deck's function as text is, bit for bit, the catalogued one.
+#[test]
+fn the_deck_as_text_gives_the_same_bits() {
+    let (text, catalogued) =
+        (Function::parse("exp(sin(3*x^2))").expect("valid"), Function::parse("exp-sin").expect("known"));
+    let same = (0..1000).all(|i| {
+        let x = [f64::from(i) / 1000.0];
+        // 3 * (x * x) against 3 * x * x: the two may differ in the last bit of the argument.
+        (text.evaluate(&x) - catalogued.evaluate(&x)).abs() <= 4e-15
+    });
+    assert!(same);
+    assert_eq!(text.dimensions(), Some(1));
+}
+
+/// Each mistake is told with its bytes.
+#[test]
+fn mistakes_are_told_with_their_place() {
+    let cases: &[(&str, std::ops::Range<usize>, &str, Option<&str>)] = &[
+        ("", 0..0, "empty", None),
+        ("  ", 0..2, "empty", None),
+        ("exp(sine(x))", 4..8, "no `sine`", Some("sin")),
+        ("lug10(x)", 0..5, "no `lug10`", Some("log10")),
+        ("3 * x $ 2", 6..7, "`$` has no place", None),
+        ("3 * \u{3b1}", 4..6, "has no place", None),
+        ("(x + 1", 0..1, "not closed", None),
+        ("sin(x", 3..4, "not closed", None),
+        ("x + 1)", 5..6, "closes nothing", None),
+        ("x + ", 3..3, "operand is missing", None),
+        ("x + * y", 4..5, "operand is missing", None),
+        ("()", 1..2, "operand is missing", None),
+        ("3 x", 2..3, "operator is missing", None),
+        ("3x^2", 1..2, "operator is missing", None),
+        ("(x)(y)", 3..4, "operator is missing", None),
+        ("sin x", 4..5, "in parentheses", None),
+        ("max(x)", 5..6, "two arguments", None),
+        ("sin(x, y)", 5..6, "one argument too many", None),
+        ("1, 2", 1..2, "comma", None),
+        ("1.2.3", 3..5, "operator is missing", None),
+        ("x0", 0..2, "no `x0`", Some("x")),
+        ("x == 1", 2..3, "compares", None),
+        ("gausian", 0..7, "no `gausian`", Some("gaussian")),
+    ];
+    for (text, range, message, suggestion) in cases {
+        let error = Function::parse(text).expect_err(text);
+        assert_eq!(&error.range, range, "{text}: {error}");
+        assert!(error.message.contains(message), "{text}: {error}");
+        assert_eq!(error.suggestion.as_deref(), *suggestion, "{text}: {error}");
+    }
+}
+
+/// Deep or long expressions are refused, not a crash.
+#[test]
+fn deep_and_long_expressions_are_refused() {
+    for text in ["(".repeat(100_000), "-".repeat(100_000), format!("x{}", "+x".repeat(100_000)), "sin(".repeat(200)] {
+        assert!(Function::parse(&text).is_err());
+    }
+    let sum = Function::parse(&format!("x{}", "+x".repeat(400))).expect("a long sum");
+    assert_eq!(sum.evaluate(&[1.0]), 401.0);
+}
+
+/// LaTeX groups as the tree does.
+#[test]
+fn formulas_are_latex() {
+    let cases = [
+        ("exp(sin(3*x^2))", r"\exp\left(\sin\left(3 x^{2}\right)\right)"),
+        ("(x + y)*x1/2", r"\frac{\left(x + y\right) \, x_{1}}{2}"),
+        ("x - (y - 1)", r"x - \left(y - 1\right)"),
+        ("(-x)^2", r"\left(-x\right)^{2}"),
+        ("x < 0.3", r"\left[x < 0.3\right]"),
+        ("sqrt(x)*2", r"\sqrt{x} \cdot 2"),
+    ];
+    for (text, latex) in cases {
+        assert_eq!(Function::parse(text).expect(text).formula(), latex, "{text}");
+    }
+}
+
+/// An expression's integral: by quadrature with a bound, or not at all.
+#[test]
+fn integrals_of_expressions() {
+    let integral = |text: &str, d| Function::parse(text).expect(text).integral(d);
+    let smooth = integral("x*y", 2).expect("smooth");
+    assert!((smooth.value - 0.25).abs() <= smooth.error);
+    assert!((integral("x", 3).expect("any d above its own").value - 0.5).abs() < 1e-15);
+    assert!((integral("3", 2).expect("a constant").value - 3.0).abs() < 1e-14);
+    assert_eq!(integral("x < 0.3", 1), None);
+    assert_eq!(integral("1/x", 1), None);
+    assert_eq!(integral("x*y", 1), None);
+    let variance = Function::parse("x + 1000").expect("valid").variance(1).expect("smooth");
+    assert!((variance - 1.0 / 12.0).abs() < 1e-12);
+}
