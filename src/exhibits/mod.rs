@@ -25,3 +25,13 @@ impl From<Table> for Drawing {
         Self::Table(table)
     }
 }
+
+impl Drawing {
+    /// Everything of it that a reader can see, as text: what the lock's digest of a drawing covers.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Figure(figure) => figure.svg.clone(),
+            Self::Table(table) => table.text(),
+        }
+    }
+}

@@ -140,6 +140,13 @@ impl Table {
         self
     }
 
+    /// The cells as printed: tabs between columns, lines between rows.
+    pub fn text(&self) -> String {
+        let heads = self.columns.iter().map(|column| column.head.clone()).collect::<Vec<_>>().join("\t");
+        let rows = self.rows.iter().map(|row| row.iter().map(Cell::printed).collect::<Vec<_>>().join("\t"));
+        std::iter::once(heads).chain(rows).collect::<Vec<_>>().join("\n")
+    }
+
     /// Adds a row, made as long as there are columns.
     pub fn push(&mut self, cells: impl IntoIterator<Item = Cell>) {
         let mut cells: Vec<Cell> = cells.into_iter().collect();

@@ -2,7 +2,7 @@
 
 mod citations;
 mod exhibit;
-mod machine;
+pub(crate) mod machine;
 mod markdown;
 mod pages;
 mod table;

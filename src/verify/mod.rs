@@ -3,3 +3,39 @@
 pub mod drift;
 pub mod lock;
 pub mod site;
+
+use std::path::Path;
+
+use crate::compose::Composed;
+use crate::diag::{Code, Diagnostic};
+use crate::run::Digest;
+use drift::Now;
+use lock::Lock;
+
+/// The lock of the course at `root`: `None` if there is none, and what is wrong with it if it cannot be read.
+pub fn read_lock(root: &Path) -> Result<Option<Lock>, Vec<Diagnostic>> {
+    let path = root.join(lock::FILE);
+    if !path.exists() {
+        return Ok(None);
+    }
+    let text = std::fs::read_to_string(&path).map_err(|error| {
+        vec![Diagnostic::error(Code::Lock, format!("`{}` cannot be read: {error}", lock::FILE))]
+    })?;
+    Lock::read(&text).map(Some)
+}
+
+/// What each exhibit of a composed book is now, in the order of the book.
+pub fn now(composed: &Composed) -> Vec<Now> {
+    let exhibits = composed.plan.exhibits.iter().zip(&composed.shown);
+    exhibits
+        .map(|(exhibit, shown)| Now {
+            id: exhibit.id.clone(),
+            kind: exhibit.experiment.kind().about().key.to_owned(),
+            place: exhibit.place.clone(),
+            key: Digest::parse(&shown.key).unwrap_or_else(|| Digest::of(shown.key.as_bytes())),
+            data: Digest::of(&shown.outcome.bytes),
+            drawing: Digest::of(shown.drawing.text().as_bytes()),
+            values: shown.outcome.values.clone(),
+        })
+        .collect()
+}

@@ -1,4 +1,4 @@
-// The theme button: automatic, light, dark. The pages are complete without this script.
+// The theme button (automatic, light, dark), and the keyboard's way into what scrolls sideways. The pages are complete without this script.
 (function () {
   "use strict";
   var root = document.documentElement;
@@ -42,6 +42,16 @@
     });
     show();
   });
+
+  // Not every browser lets the keyboard reach a box that scrolls.
+  function reach() {
+    document.querySelectorAll(".exhibit-body, .table-wrap, pre, math[display=block]").forEach(function (box) {
+      if (box.scrollWidth > box.clientWidth + 1) box.setAttribute("tabindex", "0");
+      else box.removeAttribute("tabindex");
+    });
+  }
+  window.addEventListener("load", reach);
+  window.addEventListener("resize", reach);
 
   document.addEventListener("click", function (event) {
     var link = event.target.closest && event.target.closest("a[href]");

@@ -30,21 +30,35 @@ TEXT_FEATURES = ["kern", "liga", "ccmp", "locl", "mark", "mkmk", "lnum", "pnum",
 PRIMES = [0x2032, 0x2033, 0x2034, 0x2035, 0x2036, 0x2037, 0x2057]
 
 
-def lower_primes(font):
-    """Primes are set as superscripts, and browsers ignore the font's script forms: draw them so that they come out at their proper size and height."""
-    constants = font["MATH"].table.MathConstants
+def redraw(font, name, matrix):
+    """Replaces a glyph by its image under an affine map; its advance follows the horizontal scale."""
+    outline = DecomposingRecordingPen(font.getGlyphSet())
+    font.getGlyphSet()[name].draw(outline)
+    pen = TTGlyphPen(None)
+    outline.replay(TransformPen(pen, matrix))
+    advance, bearing = font["hmtx"][name]
+    font["glyf"][name] = pen.glyph()
+    font["hmtx"][name] = (round(advance * matrix[0]), round(bearing * matrix[0]))
+
+
+def fit_browsers(font):
+    """Mends what browsers make of the font where TeX would do better."""
+    constants, cmap = font["MATH"].table.MathConstants, font.getBestCmap()
+    # Superscripts of brackets stand as high as those of letters.
+    constants.SuperscriptBaselineDropMax.Value = 386
+    # Primes are set as superscripts, and script forms are not chosen: they shall come out at their proper size and height.
     scale = 100 / constants.ScriptPercentScaleDown
-    shift = -constants.SuperscriptShiftUp.Value * scale
-    glyphs, cmap = font.getGlyphSet(), font.getBestCmap()
     for code in PRIMES:
-        name = cmap[code]
-        outline = DecomposingRecordingPen(glyphs)
-        glyphs[name].draw(outline)
-        pen = TTGlyphPen(None)
-        outline.replay(TransformPen(pen, (scale, 0, 0, scale, 0, shift)))
-        font["glyf"][name] = pen.glyph()
-        advance, bearing = font["hmtx"][name]
-        font["hmtx"][name] = (round(advance * scale), round(bearing * scale))
+        redraw(font, cmap[code], (scale, 0, 0, scale, 0, -constants.SuperscriptShiftUp.Value * scale))
+    # Every root is given the room of the widest radical sign, so the signs shall be nearly of one width.
+    variants = font["MATH"].table.MathVariants
+    sign = cmap[0x221A]
+    construction = variants.VertGlyphConstruction[variants.VertGlyphCoverage.glyphs.index(sign)]
+    larger = [record.VariantGlyph for record in construction.MathGlyphVariantRecord]
+    larger += [record.glyph for record in construction.GlyphAssembly.PartRecords]
+    for name in sorted({sign, *larger}):
+        width = 840 if name == sign else 900
+        redraw(font, name, (width / font["hmtx"][name][0], 0, 0, 1, 0, 0))
 
 
 def rename(font, family):
@@ -84,7 +98,7 @@ def main(packages, here):
     make(serif / "VAR/SourceSerif4Variable-Italic.ttf", here / "serif-italic.woff2", "Workbook Serif", LATIN, TEXT_FEATURES, {"wght": weights, "opsz": 16})
     make(sans / "VF/SourceSans3VF-Upright.ttf", here / "sans.woff2", "Workbook Sans", LATIN + "," + GREEK, TEXT_FEATURES, {"wght": weights})
     make(mono / "VF/SourceCodeVF-Upright.ttf", here / "mono.woff2", "Workbook Mono", LATIN + "," + BOXES, ["ccmp", "mark", "zero"], {"wght": weights})
-    make(mathematics / "files/stix-two-math-latin-400-normal.woff2", here / "math.woff2", "Workbook Math", MATHEMATICS, ["ccmp", "locl"], change=lower_primes)
+    make(mathematics / "files/stix-two-math-latin-400-normal.woff2", here / "math.woff2", "Workbook Math", MATHEMATICS, ["ccmp", "locl"], change=fit_browsers)
 
 
 if __name__ == "__main__":

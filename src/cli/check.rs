@@ -1,0 +1,17 @@
+//! `workbook check`: every mistake that can be known without running.
+
+use super::{Exit, Options, report, timings};
+use crate::{compose, render};
+
+pub(super) fn run(options: &Options) -> Exit {
+    let mut planned = compose::check(&options.request());
+    planned.diagnostics.extend(render::check(&planned.course, &planned.plan, &planned.workspace));
+    report::diagnostics(&planned.diagnostics, &planned.workspace, options);
+    timings::tell(&planned.timings, &[], options);
+    let exit = Exit::of(&planned.diagnostics);
+    if exit == Exit::Fine {
+        let exhibits = planned.plan.exhibits.len();
+        report::say(&format!("{} chapters and {exhibits} exhibits are well written", planned.course.chapters.len()), options);
+    }
+    exit
+}

@@ -1,0 +1,150 @@
+//! The command line: one file per subcommand, and the only code that prints.
+
+mod accept;
+mod build;
+mod check;
+mod clean;
+mod list;
+mod progress;
+mod report;
+mod run_one;
+mod timings;
+mod verify;
+mod why;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::compose::Request;
+use crate::diag::{Code, Diagnostic, Severity};
+
+/// A literate course workbook: every figure computed, every claim verified.
+#[derive(Parser)]
+#[command(version, about, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    #[command(flatten)]
+    options: Options,
+}
+
+/// What every subcommand understands.
+#[derive(Args, Debug, Clone)]
+struct Options {
+    /// The course's folder
+    #[arg(long, global = true, value_name = "DIR", default_value = ".")]
+    root: PathBuf,
+    /// The folder to write the book to [default: book, in the course's folder]
+    #[arg(long, global = true, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// How many threads run experiments [default: all processors]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+    /// Compute every result, and keep none
+    #[arg(long, global = true)]
+    no_cache: bool,
+    /// How diagnostics are written
+    #[arg(long, global = true, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Write nothing but diagnostics
+    #[arg(long, short, global = true)]
+    quiet: bool,
+    /// Tell how long each stage and each experiment took
+    #[arg(long, global = true)]
+    timings: bool,
+}
+
+/// How diagnostics are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// With the source line and the place marked
+    Human,
+    /// One JSON object a line
+    Json,
+    /// As annotations of a workflow on a forge
+    Github,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Make the book
+    Build,
+    /// Tell every mistake that can be known without running
+    Check,
+    /// Compute everything anew and compare it with the lock
+    Verify,
+    /// Record reviewed exhibits in the lock: those named, or all
+    Accept(accept::Arguments),
+    /// Run the experiment of one exhibit and print its values
+    Run(run_one::Arguments),
+    /// Tell whether an exhibit is fresh or stale, and why
+    Why(why::Arguments),
+    /// List the entries of a catalogue
+    List(list::Arguments),
+    /// Remove cached results
+    Clean(clean::Arguments),
+}
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Exit {
+    /// Nothing is wrong.
+    Fine = 0,
+    /// The course is wrong.
+    Course = 1,
+    /// The call is wrong.
+    Call = 2,
+    /// The system failed.
+    System = 3,
+}
+
+/// Runs the command that the arguments ask for.
+pub fn run() -> ExitCode {
+    let cli = Cli::parse();
+    let exit = match cli.command {
+        Command::Build => build::run(&cli.options),
+        Command::Check => check::run(&cli.options),
+        Command::Verify => verify::run(&cli.options),
+        Command::Accept(arguments) => accept::run(&arguments, &cli.options),
+        Command::Run(arguments) => run_one::run(&arguments, &cli.options),
+        Command::Why(arguments) => why::run(&arguments, &cli.options),
+        Command::List(arguments) => list::run(&arguments, &cli.options),
+        Command::Clean(arguments) => clean::run(&arguments, &cli.options),
+    };
+    ExitCode::from(exit as u8)
+}
+
+impl Options {
+    /// What a book is made from.
+    fn request(&self) -> Request {
+        let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        Request {
+            root: self.root.clone(),
+            threads: self.jobs.map_or(processors, usize::from),
+            cached: !self.no_cache,
+        }
+    }
+
+    /// Where the book goes.
+    fn out(&self) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| self.root.join("book"))
+    }
+}
+
+impl Exit {
+    /// How a command with these diagnostics ends: as badly as the worst of them.
+    fn of(diagnostics: &[Diagnostic]) -> Self {
+        let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
+        errors.map(|error| Self::of_code(error.code)).max().unwrap_or(Self::Fine)
+    }
+
+    fn of_code(code: Code) -> Self {
+        match code {
+            Code::Unreadable | Code::Unwritable => Self::System,
+            Code::NoCourse | Code::NotABook => Self::Call,
+            _ => Self::Course,
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! Diagnostics as people, programs and forges read them.
+
+use std::io::{IsTerminal, Write, stderr, stdout};
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use serde_json::json;
+
+use super::{Format, Options};
+use crate::diag::{Diagnostic, Place, Severity};
+use crate::workspace::Workspace;
+
+/// Writes the diagnostics, ordered by place, in the format that the options ask for: to the error stream for people, else to the output.
+pub(super) fn diagnostics(found: &[Diagnostic], workspace: &Workspace, options: &Options) {
+    let mut sorted: Vec<&Diagnostic> = found.iter().collect();
+    sorted.sort_by_key(|diagnostic| diagnostic.place.as_ref().map(|place| (place.file.clone(), place.range.start)));
+    let mut text = String::new();
+    for diagnostic in sorted {
+        text.push_str(&match options.format {
+            Format::Human => human(diagnostic, workspace),
+            Format::Json => json_line(diagnostic, workspace),
+            Format::Github => github(diagnostic, workspace),
+        });
+        text.push('\n');
+    }
+    if options.format == Format::Human {
+        text.push_str(&count(found));
+        to_stderr(&text);
+    } else {
+        to_stdout(&text);
+    }
+}
+
+/// Writes a line for people, unless they asked for quiet.
+pub(super) fn say(line: &str, options: &Options) {
+    if !options.quiet {
+        to_stderr(&format!("{line}\n"));
+    }
+}
+
+/// Writes what was asked for.
+pub(super) fn to_stdout(text: &str) {
+    // A reader that has gone away is no mistake of ours.
+    let _ = stdout().lock().write_all(text.as_bytes());
+}
+
+fn to_stderr(text: &str) {
+    let _ = stderr().lock().write_all(text.as_bytes());
+}
+
+/// Whether the error stream is a terminal that wants colours.
+fn coloured() -> bool {
+    stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+}
+
+fn human(diagnostic: &Diagnostic, workspace: &Workspace) -> String {
+    let level = match diagnostic.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    let title = level.primary_title(diagnostic.message.as_str()).id(diagnostic.code.id());
+    let mut group = match diagnostic.place.as_ref().and_then(|place| Some((place, workspace.excerpt(&place.file)?))) {
+        Some((place, text)) => {
+            let range = place.range.start.min(text.len())..place.range.end.min(text.len());
+            let mark = AnnotationKind::Primary.span(range).label(diagnostic.label.as_deref());
+            title.element(Snippet::source(text).path(&*place.file).annotation(mark))
+        }
+        None => match &diagnostic.place {
+            Some(place) => title.element(annotate_snippets::Origin::path(&*place.file)),
+            None => Group::with_title(title),
+        },
+    };
+    for help in &diagnostic.help {
+        group = group.element(Level::HELP.message(help.as_str()));
+    }
+    let renderer = if coloured() { Renderer::styled() } else { Renderer::plain() };
+    format!("{}\n", renderer.render(&[group]))
+}
+
+/// The line and column of a place, both from 1, the column in characters; and the column of its end on that line.
+fn position(place: &Place, workspace: &Workspace) -> (usize, usize, usize) {
+    let text = workspace.excerpt(&place.file).unwrap_or_default();
+    let start = text.floor_char_boundary(place.range.start.min(text.len()));
+    let end = text.floor_char_boundary(place.range.end.clamp(start, text.len()));
+    let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text[..start].matches('\n').count() + 1;
+    let column = text[line_start..start].chars().count() + 1;
+    let width = text[start..end].lines().next().unwrap_or_default().chars().count();
+    (line, column, column + width)
+}
+
+fn json_line(diagnostic: &Diagnostic, workspace: &Workspace) -> String {
+    let place = diagnostic.place.as_ref().map(|place| {
+        let (line, column, end) = position(place, workspace);
+        json!({ "file": &*place.file, "line": line, "column": column, "end_column": end, "bytes": [place.range.start, place.range.end] })
+    });
+    json!({
+        "code": diagnostic.code.id(),
+        "severity": severity(diagnostic),
+        "message": diagnostic.message,
+        "label": diagnostic.label,
+        "place": place,
+        "help": diagnostic.help,
+    })
+    .to_string()
+}
+
+fn severity(diagnostic: &Diagnostic) -> &'static str {
+    match diagnostic.severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+    }
+}
+
+fn github(diagnostic: &Diagnostic, workspace: &Workspace) -> String {
+    let data = |text: &str| text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A");
+    let property = |text: &str| data(text).replace(':', "%3A").replace(',', "%2C");
+    let place = diagnostic.place.as_ref().map_or_else(String::new, |place| {
+        let (line, column, end) = position(place, workspace);
+        format!("file={},line={line},col={column},endColumn={end},", property(&place.file))
+    });
+    let label = diagnostic.label.iter().cloned();
+    let text = std::iter::once(diagnostic.message.clone()).chain(label).chain(diagnostic.help.iter().cloned());
+    let text = text.collect::<Vec<_>>().join("\n");
+    format!("::{} {place}title={}::{}", severity(diagnostic), property(diagnostic.code.id()), data(&text))
+}
+
+/// How many errors and warnings there are, in words; nothing if there are none.
+fn count(found: &[Diagnostic]) -> String {
+    let errors = found.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count();
+    let of = |count: usize, word: &str| match count {
+        0 => None,
+        1 => Some(format!("1 {word}")),
+        many => Some(format!("{many} {word}s")),
+    };
+    let parts: Vec<String> = of(errors, "error").into_iter().chain(of(found.len() - errors, "warning")).collect();
+    if parts.is_empty() { String::new() } else { format!("{}\n", parts.join(" and ")) }
+}
