@@ -188,7 +188,8 @@ mod tests {
 
     #[test]
     fn every_part_counts() {
-        let changes: [(&str, fn(&mut Key)); 8] = [
+        type Change = fn(&mut Key);
+        let changes: [(&str, Change); 8] = [
             ("format", |key| key.format = 9),
             ("kind", |key| key.kind = "points".into()),
             ("parameters.replicates", |key| key.parameters["replicates"] = json!(65)),
