@@ -7,3 +7,7 @@ pub mod samplers;
 pub mod scrambles;
 pub mod seed;
 pub mod stats;
+#[cfg(feature = "publish")]
+pub mod chart;
+#[cfg(feature = "publish")]
+pub mod exhibits;

@@ -118,7 +118,7 @@ pub(super) fn polygon(mut points: Vec<(f64, f64)>, window: &Window) -> Vec<(f64,
 
 /// A long line with the same picture: of the points in each of `columns` columns the first, the extremes and the last.
 pub(super) fn thinned(line: Vec<Option<(f64, f64)>>, window: &Window, columns: usize) -> Vec<Option<(f64, f64)>> {
-    if line.len() <= columns * 4 {
+    if line.len() <= columns * 2 {
         return line;
     }
     let column = |p: &Option<(f64, f64)>| {

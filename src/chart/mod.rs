@@ -22,6 +22,7 @@ mod panel;
 mod resolve;
 mod shape;
 pub mod strata;
+mod table;
 mod text;
 mod ticks;
 
@@ -31,6 +32,7 @@ pub use layer::{Area, Band, Bars, Corner, ErrorBars, Layer, Line, Marks, Note, R
 pub use palette::{Dash, Marker, Role, Style};
 pub use panel::{Chart, Key, Panel};
 pub use strata::Strata;
+pub use table::{Align, Cell, Column, Drawing, Table};
 pub use text::Rich;
 
 /// What a drawing is told from outside: whose it is, its words, and how wide it may be.

@@ -5,7 +5,7 @@ use super::direct::{LINE, spread};
 use super::draw::{Axes, Page, failed};
 use super::geometry::{Lines, polygon, stairs, thinned};
 use super::layout::Plot;
-use super::palette::{Dash, Role, Style};
+use super::palette::{Dash, Marker, Role, Style};
 use super::resolve::{between, positions, rectangles, under};
 use super::shape::{Ink, Kind, Shape};
 use super::strata::{self, Strata};
@@ -72,7 +72,7 @@ impl<'p> Painter<'p, '_> {
         let (sx, sy) = (self.plot.panel.x.scale, self.plot.panel.y.scale);
         let points = if line.stepped { stairs(&line.points) } else { line.points.clone() };
         let rect = self.plot.rect;
-        let columns = ((rect.right - rect.left) / 50).max(1) as usize;
+        let columns = ((rect.right - rect.left) / 100).max(1) as usize;
         let places = thinned(positions(&points, sx, sy), &self.plot.window, columns);
         let lines = Lines::clipped(places.into_iter(), &self.plot.window);
         if let (Some(label), Some(end), true) = (&line.label, lines.points.last(), self.plot.direct) {
@@ -103,7 +103,9 @@ impl<'p> Painter<'p, '_> {
             self.page.text(name, at, (HPos::Left, VPos::Bottom), Role::Axis, false)?;
         }
         let diameter = (size.clamp(0.3, 40.0) * UNIT).round() as i32;
-        self.shape(points, Kind::Marks(marks.style.marker, diameter, marks.style.role))
+        // Shapes tell small series apart; of many marks they would only blur the pattern.
+        let marker = if places.len() > 300 { Marker::Disc } else { marks.style.marker };
+        self.shape(points, Kind::Marks(marker, diameter, marks.style.role))
     }
 
     /// The points of a unit square where they are strictly inside their strata as written.
