@@ -16,8 +16,8 @@ mod layer;
 mod layout;
 mod legend;
 pub mod number;
-pub mod palette;
 mod paint;
+pub mod palette;
 mod panel;
 mod resolve;
 mod shape;
@@ -68,3 +68,6 @@ pub struct Figure {
     /// Its height in units.
     pub height: f64,
 }
+
+#[cfg(test)]
+mod tests;
