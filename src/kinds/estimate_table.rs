@@ -11,7 +11,7 @@ use super::estimation::{Study, check_dimensions, dimensions, reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Sheet};
-use crate::exhibits::Drawing;
+use crate::chart::Drawing;
 use crate::integrands::Function;
 use crate::parameters::{Counts, parameters};
 use crate::samplers::Method;

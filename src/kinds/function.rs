@@ -7,7 +7,7 @@ use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Sheet};
 use crate::diag::Code;
-use crate::exhibits::Drawing;
+use crate::chart::Drawing;
 use crate::integrands::Function as Integrand;
 use crate::parameters::parameters;
 use crate::seed::Seed;
@@ -178,7 +178,7 @@ mod drawing {
     use super::{Data, Function, at};
     use crate::chart::number::significant;
     use crate::chart::{Area, Axis, Chart, ChartError, Line, Panel, Role, Rule, Sheet, Style};
-    use crate::exhibits::Drawing;
+    use crate::chart::Drawing;
 
     pub(super) fn draw(p: &Function, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let curve: Vec<(f64, f64)> =

@@ -10,7 +10,7 @@ use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Sheet};
 use crate::diag::Code;
-use crate::exhibits::Drawing;
+use crate::chart::Drawing;
 use crate::integrands::Function;
 use crate::parameters::{Counts, choices, parameters};
 use crate::samplers::Method;
@@ -237,7 +237,7 @@ mod drawing {
     use super::{Axes, Data, Distribution, Histogram};
     use crate::chart::number::{fixed, integer, significant};
     use crate::chart::{Axis, Bars, Chart, ChartError, Key, Line, Panel, Rule, Sheet, Style};
-    use crate::exhibits::Drawing;
+    use crate::chart::Drawing;
     use crate::stats::normal;
 
     /// Of how many pieces the normal curve is drawn.

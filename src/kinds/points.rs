@@ -10,7 +10,7 @@ use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Sheet};
 use crate::diag::Code;
-use crate::exhibits::Drawing;
+use crate::chart::Drawing;
 use crate::parameters::{choices, parameters};
 use crate::points::Points as Placed;
 use crate::samplers::Method;
@@ -224,7 +224,7 @@ mod drawing {
     use super::{Data, Points, Set, Strata, side};
     use crate::chart::number::{integer, significant};
     use crate::chart::{self, Axis, Chart, ChartError, Key, Marks, Panel, Sheet, Style};
-    use crate::exhibits::Drawing;
+    use crate::chart::Drawing;
 
     pub(super) fn draw(p: &Points, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let panels = data.sets.iter().map(|set| panel(p, set, data.sets.len() > 1)).collect();

@@ -11,7 +11,7 @@ use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Sheet};
 use crate::diag::Code;
-use crate::exhibits::Drawing;
+use crate::chart::Drawing;
 use crate::integrands::Function;
 use crate::parameters::parameters;
 use crate::samplers::{Guarantee, Method};
@@ -208,7 +208,7 @@ mod drawing {
     use super::{BAND, Data, RunningMean, Runs};
     use crate::chart::number::{fixed, integer, significant};
     use crate::chart::{Axis, Band, Chart, ChartError, Line, Panel, Rich, Rule, Sheet, Style};
-    use crate::exhibits::Drawing;
+    use crate::chart::Drawing;
 
     pub(super) fn draw(_: &RunningMean, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let several = data.methods.len() > 1;

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Sheet};
-use crate::exhibits::Drawing;
+use crate::chart::Drawing;
 use crate::parameters::parameters;
 use crate::samplers::{Method, halton, van_der_corput};
 use crate::seed::Seed;

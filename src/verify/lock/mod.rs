@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use crate::diag::{Code, Diagnostic, Place};
 use crate::kinds::{Measured, Value, Values};
-use crate::run::Digest;
+use crate::sources::Digest;
 
 mod read;
 mod write;

@@ -6,12 +6,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
-use super::digest::Digest;
-
+mod digest;
 mod item;
 mod lex;
 mod uses;
 
+pub use digest::Digest;
 pub use item::{Item, item, items};
 use lex::Token;
 use uses::Entry;
