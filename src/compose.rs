@@ -11,9 +11,9 @@ use crate::parse::Course;
 use crate::plan::{Exhibit, Plan};
 use crate::render::Book;
 use crate::run::{Cache, Job, Observer, Ran};
-use crate::show::Shown;
+use crate::exhibits::Shown;
 use crate::workspace::Workspace;
-use crate::{parse, plan, render, run, show, verify, workspace};
+use crate::{parse, plan, exhibits, render, run, verify, workspace};
 
 /// What a book is made from.
 #[derive(Debug, Clone)]
@@ -93,9 +93,9 @@ pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
     diagnostics.extend(run::unsaved(&ran));
     let (outcomes, failures) = outcomes(&plan, &ran);
     diagnostics.extend(failures);
-    let (shown, complaints) = clock.time("show", || show::show(&plan, outcomes));
+    let (shown, complaints) = clock.time("exhibits", || exhibits::show(&plan, outcomes));
     diagnostics.extend(complaints);
-    diagnostics.extend(show::check_values(&course, &plan, &shown));
+    diagnostics.extend(exhibits::check_values(&course, &plan, &shown));
     let mut composed =
         Composed { workspace, course, plan, shown: Vec::new(), book: Book::default(), ran, diagnostics, timings: Vec::new() };
     if let Some(shown) = shown.into_iter().collect::<Option<Vec<_>>>() {
@@ -131,7 +131,7 @@ fn outcomes(plan: &Plan, ran: &[Ran]) -> (Vec<Option<(String, Arc<Outcome>)>>, V
     let outcomes = plan.exhibits.iter().map(|exhibit| match by_id.get(exhibit.id.as_str()) {
         Some(Ran { outcome: Ok(outcome), key, .. }) => Some((key.digest().to_string(), Arc::clone(outcome))),
         Some(Ran { outcome: Err(failure), .. }) => {
-            diagnostics.push(show::failed(exhibit, failure));
+            diagnostics.push(exhibits::failed(exhibit, failure));
             None
         }
         None => None,

@@ -1,10 +1,10 @@
 //! The plotters backend: it reports its size in hundredths of a unit and writes them with a point, so that plotters' whole
 //! pixels become coordinates of fixed precision. Roles travel as sentinel colours and come out as classes.
 
+use super::Sheet;
 use super::palette::{Dash, Role};
 use super::shape::Ink;
 use super::text::{Rich, SIZE, escape};
-use super::Sheet;
 use plotters_backend::text_anchor::{HPos, VPos};
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind, FontTransform,
@@ -225,7 +225,11 @@ impl DrawingBackend for Backend<'_> {
         self.text(&Rich::plain(text), at, (anchor.h_pos, anchor.v_pos), Ink::decode(style.color(), 100).role, false)
     }
 
-    fn estimate_text_size<T: BackendTextStyle>(&self, text: &str, style: &T) -> Result<(u32, u32), DrawingErrorKind<Error>> {
+    fn estimate_text_size<T: BackendTextStyle>(
+        &self,
+        text: &str,
+        style: &T,
+    ) -> Result<(u32, u32), DrawingErrorKind<Error>> {
         let (width, height) = (Rich::plain(text).width() * UNIT, SIZE * UNIT);
         Ok(match style.transform() {
             FontTransform::Rotate90 | FontTransform::Rotate270 => (height as u32, width as u32),

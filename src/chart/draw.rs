@@ -90,7 +90,8 @@ pub(super) fn plot(plot: &Plot<'_>, page: &Page<'_>) -> Result<(), ChartError> {
     }
     if plot.panel.square {
         let rect = plot.rect;
-        let frame = Rectangle::new([(rect.left, rect.top), (rect.right, rect.bottom)], Ink::new(Role::Axis, 1.0).style(false));
+        let frame =
+            Rectangle::new([(rect.left, rect.top), (rect.right, rect.bottom)], Ink::new(Role::Axis, 1.0).style(false));
         page.root.draw(&frame).map_err(failed)?;
     } else {
         lines(plot, page)?;
@@ -135,13 +136,17 @@ fn grid(plot: &Plot<'_>, page: &Page<'_>) -> Result<(), ChartError> {
     let (rect, panel) = (plot.rect, plot.panel);
     let (mut points, mut ends) = (Vec::new(), Vec::new());
     if !panel.y.hidden {
-        for (y, _) in places(&plot.y_ticks, plot.window.y, rect.bottom - rect.top).filter(|(y, tick)| *y > 0 && tick.label.is_some()) {
+        for (y, _) in places(&plot.y_ticks, plot.window.y, rect.bottom - rect.top)
+            .filter(|(y, tick)| *y > 0 && tick.label.is_some())
+        {
             points.extend([(rect.left, rect.bottom - y), (rect.right, rect.bottom - y)]);
             ends.push(points.len());
         }
     }
     if !panel.x.hidden && panel.x.scale.is_log() {
-        for (x, _) in places(&plot.x_ticks, plot.window.x, rect.right - rect.left).filter(|(x, tick)| *x > 0 && tick.label.is_some()) {
+        for (x, _) in places(&plot.x_ticks, plot.window.x, rect.right - rect.left)
+            .filter(|(x, tick)| *x > 0 && tick.label.is_some())
+        {
             points.extend([(rect.left + x, rect.top), (rect.left + x, rect.bottom)]);
             ends.push(points.len());
         }
@@ -156,14 +161,18 @@ fn lines(plot: &Plot<'_>, page: &Page<'_>) -> Result<(), ChartError> {
     let (mut points, mut ends) = (Vec::new(), Vec::new());
     let length = |tick: &Tick| if tick.label.is_some() { 500 } else { 300 };
     if !panel.x.hidden {
-        page.root.draw(&PathElement::new([(rect.left, rect.bottom), (rect.right, rect.bottom)], ink.style(false))).map_err(failed)?;
+        page.root
+            .draw(&PathElement::new([(rect.left, rect.bottom), (rect.right, rect.bottom)], ink.style(false)))
+            .map_err(failed)?;
         for (x, tick) in places(&plot.x_ticks, plot.window.x, rect.right - rect.left) {
             points.extend([(rect.left + x, rect.bottom), (rect.left + x, rect.bottom + length(tick))]);
             ends.push(points.len());
         }
     }
     if !panel.y.hidden {
-        page.root.draw(&PathElement::new([(rect.left, rect.top), (rect.left, rect.bottom)], ink.style(false))).map_err(failed)?;
+        page.root
+            .draw(&PathElement::new([(rect.left, rect.top), (rect.left, rect.bottom)], ink.style(false)))
+            .map_err(failed)?;
         for (y, tick) in places(&plot.y_ticks, plot.window.y, rect.bottom - rect.top) {
             points.extend([(rect.left, rect.bottom - y), (rect.left - length(tick), rect.bottom - y)]);
             ends.push(points.len());

@@ -71,8 +71,7 @@ impl Lines {
 fn segment(a: (f64, f64), b: (f64, f64), window: &Window) -> Option<((f64, f64), (f64, f64))> {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    let borders =
-        [(-dx, a.0 - window.x.0), (dx, window.x.1 - a.0), (-dy, a.1 - window.y.0), (dy, window.y.1 - a.1)];
+    let borders = [(-dx, a.0 - window.x.0), (dx, window.x.1 - a.0), (-dy, a.1 - window.y.0), (dy, window.y.1 - a.1)];
     for (direction, distance) in borders {
         if direction == 0.0 {
             if distance < 0.0 {
@@ -96,8 +95,7 @@ fn segment(a: (f64, f64), b: (f64, f64), window: &Window) -> Option<((f64, f64),
 pub(super) fn polygon(mut points: Vec<(f64, f64)>, window: &Window) -> Vec<(f64, f64)> {
     type Side = fn((f64, f64), &Window) -> f64;
     // Distances to the borders: positive inside.
-    let sides: [Side; 4] =
-        [|p, w| p.0 - w.x.0, |p, w| w.x.1 - p.0, |p, w| p.1 - w.y.0, |p, w| w.y.1 - p.1];
+    let sides: [Side; 4] = [|p, w| p.0 - w.x.0, |p, w| w.x.1 - p.0, |p, w| p.1 - w.y.0, |p, w| w.y.1 - p.1];
     for side in sides {
         let mut kept = Vec::with_capacity(points.len() + 4);
         for (index, &b) in points.iter().enumerate() {
@@ -118,7 +116,7 @@ pub(super) fn polygon(mut points: Vec<(f64, f64)>, window: &Window) -> Vec<(f64,
 
 /// A long line with the same picture: of the points in each of `columns` columns the first, the extremes and the last.
 pub(super) fn thinned(line: Vec<Option<(f64, f64)>>, window: &Window, columns: usize) -> Vec<Option<(f64, f64)>> {
-    if line.len() <= columns * 4 {
+    if line.len() <= columns * 2 {
         return line;
     }
     let column = |p: &Option<(f64, f64)>| {
@@ -191,10 +189,13 @@ mod tests {
 
     #[test]
     fn long_lines_keep_their_extremes() {
-        let line: Vec<_> = (0..100_000_u32).map(|i| Some((f64::from(i) / 1e5, f64::from((i * 37) % 101) / 100.0))).collect();
+        let line: Vec<_> =
+            (0..100_000_u32).map(|i| Some((f64::from(i) / 1e5, f64::from((i * 37) % 101) / 100.0))).collect();
         let thin = thinned(line, &UNIT, 500);
         assert!(thin.len() <= 2000);
-        assert!(thin.iter().any(|p| p.is_some_and(|p| p.1 == 1.0)) && thin.iter().any(|p| p.is_some_and(|p| p.1 == 0.0)));
+        assert!(
+            thin.iter().any(|p| p.is_some_and(|p| p.1 == 1.0)) && thin.iter().any(|p| p.is_some_and(|p| p.1 == 0.0))
+        );
     }
 
     #[test]

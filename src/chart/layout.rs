@@ -5,7 +5,7 @@ use super::geometry::Window;
 use super::legend::{self, Entry};
 use super::resolve::{self, Extent};
 use super::ticks::Tick;
-use super::{Chart, ChartError, Figure, Key, Layer, Panel, Sheet, backend};
+use super::{Chart, ChartError, Figure, Key, Layer, Panel, Rich, Sheet, backend};
 
 /// Where a panel's axes stand, in hundredths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,6 +32,8 @@ pub(super) struct Plot<'a> {
     pub extent: Extent,
     /// Whether names stand at the ends of lines.
     pub direct: bool,
+    /// Whether the names of horizontal rules stand at their ends, beyond the axes.
+    pub ruled: bool,
 }
 
 /// The least width of a plot that still says something, in units.
@@ -63,11 +65,12 @@ pub(super) fn draw(chart: &Chart, sheet: &Sheet) -> Result<Figure, ChartError> {
         return Err(ChartError::Narrow { width: sheet.width, needed: 120.0 });
     }
     let (extents, windows) = windows(chart)?;
-    let direct = direct(chart, &windows, sheet.width);
-    let mut frame = Frame::new(chart, &windows, sheet.width, direct)?;
-    let key = if direct.is_some() || chart.key == Key::Hidden { Vec::new() } else { legend::entries(chart) };
+    let (direct, room) = direct(chart, sheet.width);
+    let frame = Frame::new(chart, &windows, sheet.width, room)?;
+    let key = if direct || chart.key == Key::Hidden { Vec::new() } else { legend::entries(chart) };
     let rows = legend::rows(key, sheet.width - frame.left.0);
-    let (plots, height) = place(chart, &mut frame, &extents, &windows, sheet.width, legend::height(&rows), direct.is_some());
+    let cells = Cells { chart, frame, extents: &extents, windows: &windows, direct, ruled: room.is_some() };
+    let (plots, height) = cells.place(sheet.width, legend::height(&rows));
     write(sheet, &plots, &rows, height)
 }
 
@@ -86,27 +89,30 @@ fn windows(chart: &Chart) -> Result<(Vec<Extent>, Vec<Window>), ChartError> {
     Ok((extents, windows))
 }
 
-/// The room that names at the ends of lines need, if that is where they should be.
-fn direct(chart: &Chart, windows: &[Window], width: f64) -> Option<f64> {
-    let ([panel], [_], Key::Auto) = (&chart.panels[..], windows, chart.key) else { return None };
-    let mut widest = 0.0_f64;
-    let mut count = 0;
+/// Whether names stand at the ends of lines, and the room that they and the names of rules need at the right.
+fn direct(chart: &Chart, width: f64) -> (bool, Option<f64>) {
+    let ([panel], false) = (&chart.panels[..], chart.key == Key::Hidden) else { return (false, None) };
+    let (mut lines, mut rules) = (Vec::new(), Vec::new());
+    let mut others = chart.key != Key::Auto;
     for layer in &panel.layers {
         match layer {
-            Layer::Line(line) => {
-                let Some(label) = &line.label else { continue };
-                widest = widest.max(label.width());
-                count += 1;
-            }
+            Layer::Line(line) => lines.extend(line.label.as_ref().map(Rich::width)),
+            Layer::Rule(rule) if !rule.vertical => rules.extend(rule.label.as_ref().map(Rich::width)),
             Layer::Marks(super::Marks { label: Some(_), .. })
             | Layer::Bars(super::Bars { label: Some(_), .. })
             | Layer::Band(super::Band { label: Some(_), .. })
             | Layer::Area(super::Area { label: Some(_), .. })
-            | Layer::ErrorBars(super::ErrorBars { label: Some(_), .. }) => return None,
+            | Layer::ErrorBars(super::ErrorBars { label: Some(_), .. }) => others = true,
             _ => {}
         }
     }
-    (count > 0 && count <= 10 && widest < 0.3 * width).then_some(widest + 22.0)
+    let fit = |widths: &[f64]| widths.len() <= 10 && widths.iter().all(|&name| name < 0.3 * width);
+    let room = |widths: &[f64]| widths.iter().copied().reduce(f64::max).map(|widest| widest + 22.0);
+    let all = [&lines[..], &rules].concat();
+    if !others && !lines.is_empty() && fit(&all) {
+        return (true, room(&all));
+    }
+    (false, if fit(&rules) { room(&rules) } else { None })
 }
 
 /// About how many labels fit on `length` units.
@@ -149,7 +155,8 @@ impl Frame {
         let any = |has: fn(&Panel) -> bool| panels.iter().any(has);
         let head = if any(|p| p.title.is_some()) { 22.0 } else { 0.0 }
             + if any(|p| !p.y.title.is_empty()) { 22.0 } else { 0.0 };
-        let foot = if any(|p| !p.x.hidden) { 24.0 } else { 2.0 } + if any(|p| !p.x.title.is_empty()) { 20.0 } else { 0.0 };
+        let foot =
+            if any(|p| !p.x.hidden) { 24.0 } else { 2.0 } + if any(|p| !p.x.title.is_empty()) { 20.0 } else { 0.0 };
         Ok(Self { columns, left, right, width, head: head + 8.0, foot })
     }
 }
@@ -159,49 +166,64 @@ fn ratio(panel: &Panel, window: &Window, columns: usize) -> f64 {
     if panel.equal {
         return ((window.y.1 - window.y.0) / (window.x.1 - window.x.0)).clamp(0.05, 20.0);
     }
-    panel.ratio.unwrap_or(if columns == 1 { 0.62 } else { 0.78 }).clamp(0.05, 20.0)
+    panel.ratio.unwrap_or(if columns == 1 { 0.58 } else { 0.78 }).clamp(0.05, 20.0)
 }
 
-/// Places the panels below a key of height `top`; also the height of the sheet.
-fn place<'a>(
-    chart: &'a Chart, frame: &mut Frame, extents: &[Extent], windows: &[Window], sheet: f64, top: f64, direct: bool,
-) -> (Vec<Plot<'a>>, f64) {
-    let columns = frame.columns;
-    let joined = chart.shared || chart.panels.iter().all(|panel| panel.square);
-    let others = (columns - 1) as f64;
-    let used = frame.left.0 + frame.left.1 * others + (frame.width + frame.right) * columns as f64 + GAP * others;
-    let margin = ((sheet - used) / 2.0).max(0.0);
-    let mut plots = Vec::with_capacity(chart.panels.len());
-    let mut y = top;
-    for (row, panels) in chart.panels.chunks(columns).enumerate() {
-        let (mut plot_height, mut foot) = (0.0_f64, 4.0_f64);
-        for (column, panel) in panels.iter().enumerate() {
-            let index = row * columns + column;
-            let height = (frame.width * ratio(panel, &windows[index], columns)).max(24.0);
-            let labelled = (!joined || index + columns >= chart.panels.len(), !joined || column == 0);
-            let cell = margin + if column == 0 { 0.0 } else { frame.left.0 + (frame.width + frame.right + GAP) * column as f64 + frame.left.1 * (column - 1) as f64 };
-            let left = cell + if column == 0 { frame.left.0 } else { frame.left.1 };
-            let bottom = y + frame.head + height;
-            let rect = Rect {
-                left: hundredths(left),
-                top: hundredths(bottom - height),
-                right: hundredths(left) + hundredths(frame.width),
-                bottom: hundredths(bottom - height) + hundredths(height),
-            };
-            let x_ticks = fitting(panel, &windows[index], frame.width);
-            let y_ticks = panel.y.ticks(windows[index].y, label_count(height, 44.0));
-            let (extent, window) = (extents[index], windows[index]);
-            plot_height = plot_height.max(height);
-            foot = foot.max(if labelled.0 { frame.foot } else { 4.0 } + if extent.told().is_some() { 20.0 } else { 0.0 });
-            plots.push(Plot { panel, index, rect, window, x_ticks, y_ticks, labelled, head: (y, cell), extent, direct });
+/// What is needed to place the panels.
+struct Cells<'a> {
+    chart: &'a Chart,
+    frame: Frame,
+    extents: &'a [Extent],
+    windows: &'a [Window],
+    direct: bool,
+    ruled: bool,
+}
+
+impl<'a> Cells<'a> {
+    /// Places the panels below a key of height `top`; also the height of the sheet.
+    fn place(&self, sheet: f64, top: f64) -> (Vec<Plot<'a>>, f64) {
+        let (frame, panels) = (&self.frame, &self.chart.panels);
+        let others = (frame.columns - 1) as f64;
+        let used = frame.left.0 + frame.left.1 * others + (frame.width + frame.right) * (others + 1.0) + GAP * others;
+        let margin = ((sheet - used) / 2.0).max(0.0);
+        let mut plots: Vec<Plot<'a>> = Vec::with_capacity(panels.len());
+        let mut y = top;
+        for row in panels.chunks(frame.columns) {
+            let (mut bottom, mut foot) = (y, 4.0_f64);
+            for _ in row {
+                let plot = self.plot(plots.len(), margin, y);
+                let shown = if plot.labelled.0 { frame.foot } else { 4.0 };
+                foot = foot.max(shown + if plot.extent.told().is_some() { 20.0 } else { 0.0 });
+                bottom = bottom.max(f64::from(plot.rect.bottom) / backend::UNIT);
+                plots.push(plot);
+            }
+            y = bottom + foot + if plots.len() < panels.len() { GAP } else { 2.0 };
         }
-        y += frame.head + plot_height + foot + if index_of_last(row, columns) < chart.panels.len() { GAP } else { 2.0 };
+        (plots, y)
     }
-    (plots, y)
-}
 
-fn index_of_last(row: usize, columns: usize) -> usize {
-    (row + 1) * columns
+    /// The panel `index`, in a row that begins at `y`.
+    fn plot(&self, index: usize, margin: f64, y: f64) -> Plot<'a> {
+        let (frame, panels) = (&self.frame, &self.chart.panels);
+        let joined = self.chart.shared || panels.iter().all(|panel| panel.square);
+        let (panel, window, extent) = (&panels[index], self.windows[index], self.extents[index]);
+        let column = index % frame.columns;
+        let height = (frame.width * ratio(panel, &window, frame.columns)).max(24.0);
+        let labelled = (!joined || index + frame.columns >= panels.len(), !joined || column == 0);
+        let (cell, left) = if column == 0 {
+            (margin, margin + frame.left.0)
+        } else {
+            let before = frame.left.0 + (frame.width + frame.right + GAP) * column as f64;
+            let cell = margin + before + frame.left.1 * (column - 1) as f64;
+            (cell, cell + frame.left.1)
+        };
+        let (left, top) = (hundredths(left), hundredths(y + frame.head));
+        let rect = Rect { left, top, right: left + hundredths(frame.width), bottom: top + hundredths(height) };
+        let x_ticks = fitting(panel, &window, frame.width);
+        let y_ticks = panel.y.ticks(window.y, label_count(height, 44.0));
+        let (direct, ruled, head) = (self.direct, self.ruled, (y, cell));
+        Plot { panel, index, rect, window, x_ticks, y_ticks, labelled, head, extent, direct, ruled }
+    }
 }
 
 fn hundredths(units: f64) -> i32 {

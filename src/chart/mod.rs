@@ -16,12 +16,13 @@ mod layer;
 mod layout;
 mod legend;
 pub mod number;
-pub mod palette;
 mod paint;
+pub mod palette;
 mod panel;
 mod resolve;
 mod shape;
 pub mod strata;
+mod table;
 mod text;
 mod ticks;
 
@@ -31,6 +32,7 @@ pub use layer::{Area, Band, Bars, Corner, ErrorBars, Layer, Line, Marks, Note, R
 pub use palette::{Dash, Marker, Role, Style};
 pub use panel::{Chart, Key, Panel};
 pub use strata::Strata;
+pub use table::{Align, Cell, Column, Drawing, Table};
 pub use text::Rich;
 
 /// What a drawing is told from outside: whose it is, its words, and how wide it may be.
@@ -66,3 +68,6 @@ pub struct Figure {
     /// Its height in units.
     pub height: f64,
 }
+
+#[cfg(test)]
+mod tests;

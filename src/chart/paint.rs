@@ -5,7 +5,7 @@ use super::direct::{LINE, spread};
 use super::draw::{Axes, Page, failed};
 use super::geometry::{Lines, polygon, stairs, thinned};
 use super::layout::Plot;
-use super::palette::{Dash, Role, Style};
+use super::palette::{Dash, Marker, Role, Style};
 use super::resolve::{between, positions, rectangles, under};
 use super::shape::{Ink, Kind, Shape};
 use super::strata::{self, Strata};
@@ -44,13 +44,13 @@ impl<'p> Painter<'p, '_> {
             Layer::ErrorBars(bars) => self.error_bars(bars),
             Layer::Band(band) => self.fill(between(&band.points, sx, sy), band.style.role, 0.2),
             Layer::Area(area) => {
-                let opacity = if area.style.role == Role::Fill { 0.55 } else { 0.25 };
+                let opacity = if area.style.role == Role::Fill { 0.45 } else { 0.25 };
                 self.fill(under(area, sx, sy), area.style.role, opacity)
             }
             Layer::Bars(bars) => {
                 let bodies = rectangles(bars, sx, sy);
                 let thin = bodies.len() > 120;
-                self.fill(bodies.clone(), bars.style.role, if bars.style.role == Role::Fill { 0.8 } else { 0.6 })?;
+                self.fill(bodies.clone(), bars.style.role, if bars.style.role == Role::Fill { 1.0 } else { 0.7 })?;
                 if thin { Ok(()) } else { self.outlines(&bodies) }
             }
             Layer::Rule(rule) => self.rule(rule),
@@ -72,7 +72,7 @@ impl<'p> Painter<'p, '_> {
         let (sx, sy) = (self.plot.panel.x.scale, self.plot.panel.y.scale);
         let points = if line.stepped { stairs(&line.points) } else { line.points.clone() };
         let rect = self.plot.rect;
-        let columns = ((rect.right - rect.left) / 50).max(1) as usize;
+        let columns = ((rect.right - rect.left) / 100).max(1) as usize;
         let places = thinned(positions(&points, sx, sy), &self.plot.window, columns);
         let lines = Lines::clipped(places.into_iter(), &self.plot.window);
         if let (Some(label), Some(end), true) = (&line.label, lines.points.last(), self.plot.direct) {
@@ -103,7 +103,9 @@ impl<'p> Painter<'p, '_> {
             self.page.text(name, at, (HPos::Left, VPos::Bottom), Role::Axis, false)?;
         }
         let diameter = (size.clamp(0.3, 40.0) * UNIT).round() as i32;
-        self.shape(points, Kind::Marks(marks.style.marker, diameter, marks.style.role))
+        // Shapes tell small series apart; of many marks they would only blur the pattern.
+        let marker = if places.len() > 300 { Marker::Disc } else { marks.style.marker };
+        self.shape(points, Kind::Marks(marker, diameter, marks.style.role))
     }
 
     /// The points of a unit square where they are strictly inside their strata as written.
@@ -131,7 +133,8 @@ impl<'p> Painter<'p, '_> {
         let cap = (window.x.1 - window.x.0) * 3.0 * UNIT / f64::from(self.plot.rect.right - self.plot.rect.left);
         let mut line = Vec::new();
         for &(x, low, high) in &bars.points {
-            let (Some(x), Some(low), Some(high)) = (sx.position(x), sy.position_or_below(low), sy.position_or_below(high))
+            let (Some(x), Some(low), Some(high)) =
+                (sx.position(x), sy.position_or_below(low), sy.position_or_below(high))
             else {
                 continue;
             };
@@ -180,11 +183,8 @@ impl<'p> Painter<'p, '_> {
         let (panel, window) = (self.plot.panel, self.plot.window);
         let scale = if rule.vertical { panel.x.scale } else { panel.y.scale };
         let Some(at) = scale.position(rule.at) else { return Ok(()) };
-        let ends = if rule.vertical {
-            [(at, window.y.0), (at, window.y.1)]
-        } else {
-            [(window.x.0, at), (window.x.1, at)]
-        };
+        let ends =
+            if rule.vertical { [(at, window.y.0), (at, window.y.1)] } else { [(window.x.0, at), (window.x.1, at)] };
         if !ends.iter().all(|&end| window.contains(end)) {
             return Ok(());
         }
@@ -193,7 +193,7 @@ impl<'p> Painter<'p, '_> {
         self.axes.draw(&PathElement::new(ends, ink.style(false))).map_err(failed)?;
         let Some(label) = &rule.label else { return Ok(()) };
         let end = self.axes.map_coordinate(&ends[1]);
-        if self.plot.direct && !rule.vertical {
+        if self.plot.ruled && !rule.vertical {
             self.ends.push((end, rule.style.role, label));
             return Ok(());
         }

@@ -57,7 +57,7 @@ const COLOURS: [(Role, &str, &str, &str); 20] = [
     (Role::Grid, "grid", "#e3e5e8", "#33383f"),
     (Role::Strata, "strata", "#b9bec6", "#565d67"),
     (Role::Page, "page", "#ffffff", "#16181c"),
-    (Role::Fill, "fill", "#7fa6c9", "#54799b"),
+    (Role::Fill, "fill", "#6490bb", "#5f89b0"),
     (Role::Theory, "theory", "#3c4149", "#c9ccd1"),
     (Role::Exact, "exact", "#1c1f24", "#e8e6e1"),
     (Role::Accent, "accent", "#c0392b", "#ff8a75"),
@@ -226,9 +226,9 @@ impl Style {
         if let Some((_, style)) = SAMPLERS.iter().find(|row| row.0 == method) {
             return *style;
         }
-        let hash = method.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-        });
+        let hash = method
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
         let pick = |shift: u32, count: usize| ((hash >> shift) % count as u64) as usize;
         Self { role: ROLES[pick(7, 6)], dash: DASHES[pick(23, 5)], marker: MARKERS[pick(41, 6)] }
     }

@@ -51,7 +51,8 @@ impl Extent {
     pub fn window(&self, panel: &Panel, index: usize) -> Result<Window, ChartError> {
         let side = if self.marked && !self.standing { 0.03 } else { 0.0 };
         let x = panel.x.resolve(self.x, (side, side))?;
-        let foot = if self.standing && self.y.is_some_and(|y| y.0 >= 0.0) && !panel.y.scale.is_log() { 0.0 } else { 0.06 };
+        let foot =
+            if self.standing && self.y.is_some_and(|y| y.0 >= 0.0) && !panel.y.scale.is_log() { 0.0 } else { 0.06 };
         let y = panel.y.resolve(self.y, (foot, 0.06))?;
         let (Some(x), Some(y)) = (x, y) else { return Err(ChartError::Empty { panel: index }) };
         Ok(Window { x, y })
@@ -138,8 +139,10 @@ impl Extent {
     /// What the figure says about values that it does not show.
     pub fn told(&self) -> Option<String> {
         let one = |count: usize, what: &str| (count > 0).then(|| format!("{count} {what}"));
-        let parts: Vec<String> =
-            [one(self.not_positive, "not positive"), one(self.not_finite, "not finite")].into_iter().flatten().collect();
+        let parts: Vec<String> = [one(self.not_positive, "not positive"), one(self.not_finite, "not finite")]
+            .into_iter()
+            .flatten()
+            .collect();
         (!parts.is_empty()).then(|| format!("Not shown: {}", parts.join(", ")))
     }
 }
@@ -187,8 +190,12 @@ pub(super) fn rectangles(bars: &Bars, sx: Scale, sy: Scale) -> Vec<Vec<(f64, f64
 pub(super) fn check(panel: &Panel) -> Result<(), ChartError> {
     for layer in &panel.layers {
         let (what, left, right) = match layer {
-            Layer::Bars(bars) => ("the edges of bars, one more than the bars", bars.edges.len(), bars.heights.len() + 1),
-            Layer::Marks(marks) if !marks.names.is_empty() => ("points and their names", marks.points.len(), marks.names.len()),
+            Layer::Bars(bars) => {
+                ("the edges of bars, one more than the bars", bars.edges.len(), bars.heights.len() + 1)
+            }
+            Layer::Marks(marks) if !marks.names.is_empty() => {
+                ("points and their names", marks.points.len(), marks.names.len())
+            }
             _ => continue,
         };
         if left != right {

@@ -109,7 +109,13 @@ fn pieces(mut at: impl Iterator<Item = BackendCoord>, ends: &[usize], closed: bo
 const DENSE: usize = 20_000;
 
 /// Marks as one path.
-fn marks(at: impl Iterator<Item = BackendCoord>, marker: Marker, size: i32, role: Role, backend: &mut Backend<'_>) -> Drawn {
+fn marks(
+    at: impl Iterator<Item = BackendCoord>,
+    marker: Marker,
+    size: i32,
+    role: Role,
+    backend: &mut Backend<'_>,
+) -> Drawn {
     let mut at: Vec<BackendCoord> = at.collect();
     let mut data = String::with_capacity(at.len() * 18);
     if at.len() > DENSE {

@@ -35,7 +35,11 @@ pub(super) fn linear(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let mut index = first;
     while index <= last {
         let value = index * step;
-        let label = if largest >= 1e6 || largest < 1e-3 { power_label(value, step) } else { number::fixed(value, places).into() };
+        let label = if largest >= 1e6 || largest < 1e-3 {
+            power_label(value, step)
+        } else {
+            number::fixed(value, places).into()
+        };
         ticks.push(Tick { at: value, label: Some(label) });
         index += 1.0;
     }
@@ -136,7 +140,10 @@ mod tests {
         assert_eq!(labels(&linear(-0.3, 0.31, 4)), ["−0.2", "0.0", "0.2"]);
         assert_eq!(labels(&linear(0.0, 1000.0, 4)), ["0", "500", "1000"]);
         assert_eq!(labels(&linear(1.20, 1.29, 5)), ["1.20", "1.22", "1.24", "1.26", "1.28"]);
-        assert_eq!(labels(&linear(0.0, 3e7, 3)), ["0", "1\u{200a}×\u{200a}10^7", "2\u{200a}×\u{200a}10^7", "3\u{200a}×\u{200a}10^7"]);
+        assert_eq!(
+            labels(&linear(0.0, 3e7, 3)),
+            ["0", "1\u{200a}×\u{200a}10^7", "2\u{200a}×\u{200a}10^7", "3\u{200a}×\u{200a}10^7"]
+        );
     }
 
     #[test]

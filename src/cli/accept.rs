@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
         }
         Err(_) => Default::default(),
     };
-    let now = now(&composed);
+    let now = now(&composed.plan, &composed.shown);
     let reviewed: BTreeSet<String> = arguments.ids.iter().cloned().collect();
     let accepted = match drift::accept(&old, &now, (!reviewed.is_empty()).then_some(&reviewed)) {
         Ok(lock) => lock,

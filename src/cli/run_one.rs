@@ -11,7 +11,7 @@ use crate::diag::Diagnostic;
 use crate::kinds::{Outcome, Value};
 use crate::plan::Exhibit;
 use crate::render::machine::number;
-use crate::{run, show};
+use crate::{exhibits, run};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
             Exit::Fine
         }
         Some(Err(failure)) => {
-            let failed: Diagnostic = show::failed(exhibit, failure);
+            let failed: Diagnostic = exhibits::failed(exhibit, failure);
             report::diagnostics(&[failed], &planned.workspace, options);
             Exit::Course
         }

@@ -29,7 +29,7 @@ pub(super) fn run(options: &Options) -> Exit {
 fn compare(composed: &Composed, options: &Options) -> Vec<Diagnostic> {
     match read_lock(&options.root) {
         Ok(Some(lock)) => {
-            let drifts = drift::compare(&lock, &now(composed));
+            let drifts = drift::compare(&lock, &now(&composed.plan, &composed.shown));
             drifts.iter().map(|drift| drift.diagnostic(Severity::Error)).collect()
         }
         Ok(None) => vec![lock::absent()],

@@ -1,37 +1,67 @@
-//! Exhibits as typed values: what a kind gives to be shown on a page. Turning them into HTML is `render`'s.
+//! Results to exhibits: what a reader sees of an experiment, and the verdicts on what it claims.
+//!
+//! Drawing is a pure function of the data; nothing here computes a statistic.
 
-mod table;
+mod values;
+mod verdict;
 
-pub use crate::chart::Figure;
-pub use table::{Align, Cell, Column, Table};
+use std::sync::Arc;
 
-/// What a kind draws.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Drawing {
-    /// An SVG.
-    Figure(Figure),
-    /// A table.
-    Table(Table),
+use crate::chart::{Drawing, Sheet};
+use crate::diag::{Code, Diagnostic};
+use crate::kinds::{Failure, Outcome};
+use crate::plan::{Exhibit, Plan};
+
+pub use values::check as check_values;
+pub use verdict::Verdict;
+
+/// An exhibit ready to be put on a page.
+pub struct Shown {
+    /// The digest of its key.
+    pub key: String,
+    /// The numbers.
+    pub outcome: Arc<Outcome>,
+    /// The figure or table.
+    pub drawing: Drawing,
+    /// Words for those who cannot see it.
+    pub alt: String,
+    /// The verdict on each of its claims, in the order written; a claim with `*` has one for each value.
+    pub verdicts: Vec<Verdict>,
 }
 
-impl From<Figure> for Drawing {
-    fn from(figure: Figure) -> Self {
-        Self::Figure(figure)
-    }
-}
-
-impl From<Table> for Drawing {
-    fn from(table: Table) -> Self {
-        Self::Table(table)
-    }
-}
-
-impl Drawing {
-    /// Everything of it that a reader can see, as text: what the lock's digest of a drawing covers.
-    pub fn text(&self) -> String {
-        match self {
-            Self::Figure(figure) => figure.svg.clone(),
-            Self::Table(table) => table.text(),
+/// Draws every exhibit of the plan; `outcomes` are its results with the digests of their keys, in its order, where there are any.
+pub fn show(plan: &Plan, outcomes: Vec<Option<(String, Arc<Outcome>)>>) -> (Vec<Option<Shown>>, Vec<Diagnostic>) {
+    let mut diagnostics = Vec::new();
+    let shown = plan.exhibits.iter().zip(outcomes).map(|(exhibit, outcome)| {
+        let (key, outcome) = outcome?;
+        let verdicts = verdict::judge(exhibit, &outcome.values, &mut diagnostics);
+        let alt = alternative(exhibit, &outcome, &mut diagnostics);
+        let sheet = Sheet::new(&exhibit.id, exhibit.experiment.kind().about().title, &alt);
+        match exhibit.experiment.draw(&outcome, &sheet) {
+            Ok(drawing) => Some(Shown { key, outcome, drawing, alt, verdicts }),
+            Err(failure) => {
+                diagnostics.push(failed(exhibit, &failure));
+                None
+            }
         }
+    });
+    (shown.collect(), diagnostics)
+}
+
+/// What to tell of an experiment that failed, or of a result that cannot be drawn.
+pub fn failed(exhibit: &Exhibit, failure: &Failure) -> Diagnostic {
+    let parameter = failure.parameter.map(|parameter| format!(", at `{parameter}`")).unwrap_or_default();
+    Diagnostic::error(Code::Failed, format!("`{}` failed{parameter}: {}", exhibit.id, failure.message))
+        .at_place(&exhibit.place)
+        .help_if(failure.help.clone())
+}
+
+/// The author's words for the exhibit, or those derived from the data; none is an error.
+fn alternative(exhibit: &Exhibit, outcome: &Outcome, diagnostics: &mut Vec<Diagnostic>) -> String {
+    let alt = exhibit.alt.clone().or_else(|| exhibit.experiment.alt(outcome)).unwrap_or_default();
+    if alt.trim().is_empty() {
+        let error = Diagnostic::error(Code::MissingAlt, format!("`{}` has no alternative text", exhibit.id));
+        diagnostics.push(error.at_place(&exhibit.place).help("say what it shows: `alt = \"…\"`"));
     }
+    alt
 }

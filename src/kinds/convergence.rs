@@ -12,8 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, mean_with_error, reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::{ChartError, Sheet};
-use crate::exhibits::Drawing;
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::integrands::Function;
 use crate::parameters::{Counts, parameters};
 use crate::samplers::Method;
@@ -236,8 +235,7 @@ mod drawing {
 
     use super::{Convergence, Curve, Data, extremes};
     use crate::chart::number::{fixed, integer, significant};
-    use crate::chart::{Axis, Chart, ChartError, Line, Panel, Sheet, Style};
-    use crate::exhibits::Drawing;
+    use crate::chart::{Axis, Chart, ChartError, Drawing, Line, Panel, Sheet, Style};
 
     pub(super) fn draw(p: &Convergence, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let title = if data.curves.iter().all(|curve| curve.replicates == 1) { "absolute error" } else { "RMSE" };

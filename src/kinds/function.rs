@@ -5,9 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::estimation::undefined;
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
-use crate::exhibits::Drawing;
 use crate::integrands::Function as Integrand;
 use crate::parameters::parameters;
 use crate::seed::Seed;
@@ -179,8 +178,7 @@ mod drawing {
 
     use super::{Data, Function, at};
     use crate::chart::number::significant;
-    use crate::chart::{Area, Axis, Chart, ChartError, Corner, Line, Note, Panel, Role, Rule, Sheet, Style};
-    use crate::exhibits::Drawing;
+    use crate::chart::{Area, Axis, Chart, ChartError, Corner, Drawing, Line, Note, Panel, Role, Rule, Sheet, Style};
 
     pub(super) fn draw(p: &Function, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let curve: Vec<(f64, f64)> =

@@ -8,9 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, mean_with_error, reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
-use crate::exhibits::Drawing;
 use crate::integrands::Function;
 use crate::parameters::{Counts, choices, parameters};
 use crate::samplers::Method;
@@ -236,8 +235,7 @@ mod drawing {
 
     use super::{Axes, Data, Distribution, Histogram};
     use crate::chart::number::{fixed, integer, significant};
-    use crate::chart::{Axis, Bars, Chart, ChartError, Key, Line, Panel, Sheet, Style};
-    use crate::exhibits::Drawing;
+    use crate::chart::{Axis, Bars, Chart, ChartError, Drawing, Key, Line, Panel, Sheet, Style};
     use crate::stats::normal;
 
     /// Of how many pieces the normal curve is drawn.

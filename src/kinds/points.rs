@@ -8,9 +8,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
-use crate::exhibits::Drawing;
 use crate::parameters::{choices, parameters};
 use crate::points::Points as Placed;
 use crate::samplers::Method;
@@ -223,8 +222,7 @@ mod drawing {
 
     use super::{Data, Points, Set, Strata, side};
     use crate::chart::number::{integer, significant};
-    use crate::chart::{self, Axis, Chart, ChartError, Key, Marks, Panel, Role, Rule, Sheet, Style};
-    use crate::exhibits::Drawing;
+    use crate::chart::{self, Axis, Chart, ChartError, Drawing, Key, Marks, Panel, Role, Rule, Sheet, Style};
 
     pub(super) fn draw(p: &Points, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let panels = data.sets.iter().map(|set| panel(p, set, data.sets.len() > 1)).collect();

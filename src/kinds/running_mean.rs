@@ -9,9 +9,8 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, reference, replicates_of};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
-use crate::exhibits::Drawing;
 use crate::integrands::Function;
 use crate::parameters::parameters;
 use crate::samplers::{Guarantee, Method};
@@ -207,8 +206,7 @@ mod drawing {
 
     use super::{BAND, Data, RunningMean, Runs};
     use crate::chart::number::{fixed, integer, significant};
-    use crate::chart::{Axis, Band, Chart, ChartError, Dash, Line, Panel, Rich, Sheet, Style};
-    use crate::exhibits::Drawing;
+    use crate::chart::{Axis, Band, Chart, ChartError, Dash, Drawing, Line, Panel, Rich, Sheet, Style};
 
     pub(super) fn draw(_: &RunningMean, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let several = data.methods.len() > 1;

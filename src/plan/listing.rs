@@ -11,7 +11,7 @@ use crate::diag::{Code, Diagnostic, Place};
 use crate::parameters::{Complaint, Fields, Parameters, parameters};
 use crate::parse::{self, Fence, Node};
 use crate::catalogue::nearest;
-use crate::run::code;
+use crate::sources;
 use crate::workspace::CHAPTERS;
 
 parameters! {
@@ -101,11 +101,11 @@ fn read(
 fn find_code(written: &Written, reading: &Reading<'_>, fields: &mut Fields<'_>) -> Option<(String, String, String)> {
     match (&written.item, &written.file) {
         (Some(item), None) => {
-            let found = code::item(item);
+            let found = sources::item(item);
             if found.is_none() {
                 let complaint = Complaint::new(Code::UnknownItem, fields.place("item"), format!("the library has no item `{item}`"));
                 let complaint = complaint
-                    .help_if(nearest(item, code::items().iter().map(String::as_str)).map(|near| format!("did you mean `{near}`?")))
+                    .help_if(nearest(item, sources::items().iter().map(String::as_str)).map(|near| format!("did you mean `{near}`?")))
                     .help("name it by its path below the crate, e.g. `samplers::halton::radical_inverse`");
                 fields.complaints.push(complaint);
             }

@@ -78,10 +78,12 @@ impl Citations {
     }
 }
 
+/// The course's own file of this name in the folder of templates, or the embedded one.
 fn template(name: &str, workspace: &Workspace) -> String {
-    let own = workspace.blobs.get(format!("{TEMPLATES}/{name}").as_str());
-    let bytes = own.map(|bytes| &**bytes).or_else(|| super::templates::embedded(name)).unwrap_or_default();
-    String::from_utf8_lossy(bytes).into_owned()
+    match workspace.text(&format!("{TEMPLATES}/{name}")) {
+        Some(source) => source.text.to_string(),
+        None => String::from_utf8_lossy(super::templates::embedded(name).unwrap_or_default()).into_owned(),
+    }
 }
 
 fn broken(name: &str, error: &str) -> Diagnostic {

@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use super::markdown::Writer;
 use super::{Rendering, table};
-use crate::exhibits::Drawing;
+use crate::chart::Drawing;
 use crate::diag::Diagnostic;
-use crate::show::{Shown, Verdict};
-use crate::plan::{Listing, escape};
+use crate::exhibits::Verdict;
+use crate::plan::{Exhibit, Listing, escape};
 
 #[derive(Serialize)]
 struct ExhibitPart<'a> {
@@ -21,6 +21,7 @@ struct ExhibitContext<'a> {
     label: String,
     caption: String,
     body: String,
+    width: Option<f64>,
     alt: &'a str,
     kind: &'static str,
     seed: u64,
@@ -64,9 +65,9 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
     let exhibit = &rendering.plan.exhibits[index];
     let shown = &rendering.shown[index];
     let (caption, mut diagnostics) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
-    let (class, body) = match &shown.drawing {
-        Drawing::Figure(figure) => ("figure", figure.svg.clone()),
-        Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter)),
+    let (class, body, width) = match &shown.drawing {
+        Drawing::Figure(figure) => ("figure", figure.svg.clone(), Some(figure.width)),
+        Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter), None),
     };
     let context = ExhibitContext {
         id: &exhibit.id,
@@ -74,12 +75,13 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
         label: label(rendering, &exhibit.id),
         caption,
         body,
+        width,
         alt: &shown.alt,
         kind: exhibit.experiment.kind().about().key,
         seed: exhibit.seed,
         key: &shown.key[..SHORT_KEY.min(shown.key.len())],
         claims: shown.verdicts.iter().map(claim).collect(),
-        parameters: parameters(shown, exhibit),
+        parameters: parameters(exhibit),
     };
     let html = rendering.templates.fill("exhibit.html", &ExhibitPart { exhibit: context }, &mut diagnostics);
     (html, diagnostics)
@@ -110,8 +112,7 @@ fn claim(verdict: &Verdict) -> ClaimContext {
     ClaimContext { statement, holds: verdict.holds }
 }
 
-fn parameters(shown: &Shown, exhibit: &crate::plan::Exhibit) -> Vec<ParameterContext> {
-    let _ = shown;
+fn parameters(exhibit: &Exhibit) -> Vec<ParameterContext> {
     let serde_json::Value::Object(parameters) = exhibit.experiment.parameters() else { return Vec::new() };
     let text = |value: &serde_json::Value| match value {
         serde_json::Value::String(text) => text.clone(),

@@ -11,7 +11,7 @@ mod templates;
 use std::collections::BTreeMap;
 
 use crate::diag::Diagnostic;
-use crate::show::Shown;
+use crate::exhibits::Shown;
 use crate::parse::Course;
 use crate::plan::{Converter, Plan};
 use crate::workspace::{CHAPTERS, Workspace};

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::exhibits::{Align, Cell, Table};
+use crate::chart::{Align, Cell, Table};
 use crate::plan::{Converter, escape};
 
 /// A table's HTML.

@@ -11,8 +11,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use serde::{Deserialize, Serialize};
 
-use super::digest::Digest;
 use super::key::{FORMAT, Key};
+use crate::sources::Digest;
 
 /// What every entry begins with.
 const MAGIC: &[u8; 16] = b"workbook result\n";

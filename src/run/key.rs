@@ -8,9 +8,8 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::code;
-use super::digest::Digest;
 use crate::kinds::Experiment;
+use crate::sources::{self, Digest};
 
 /// The version of what the cache holds: raised when the encoding of results, or this module, changes its meaning.
 pub const FORMAT: u32 = 1;
@@ -38,7 +37,7 @@ pub struct Key {
 impl Key {
     /// The key of `experiment` with `seed`, for the code of this very program.
     pub fn new(experiment: &dyn Experiment, seed: u64) -> Self {
-        let sources = code::sources();
+        let sources = sources::sources();
         Self {
             format: FORMAT,
             kind: experiment.kind().about().key.to_owned(),
@@ -188,7 +187,8 @@ mod tests {
 
     #[test]
     fn every_part_counts() {
-        let changes: [(&str, fn(&mut Key)); 8] = [
+        type Change = fn(&mut Key);
+        let changes: [(&str, Change); 8] = [
             ("format", |key| key.format = 9),
             ("kind", |key| key.kind = "points".into()),
             ("parameters.replicates", |key| key.parameters["replicates"] = json!(65)),

@@ -13,12 +13,9 @@ use crate::kinds::{Experiment, Failure, Outcome};
 use crate::seed::Seed;
 
 pub mod cache;
-pub mod code;
-pub mod digest;
 pub mod key;
 
 pub use cache::Cache;
-pub use digest::Digest;
 pub use key::{Difference, Key};
 
 /// An experiment that is due, for one exhibit or several.

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::lock::{Lock, Record, Series, summarised, written};
 use crate::diag::{Code, Diagnostic, Place, Severity};
 use crate::kinds::{Measured, Value, Values};
-use crate::run::Digest;
+use crate::sources::Digest;
 
 /// How many changed values a diagnostic lists.
 const LISTED: usize = 8;

@@ -6,9 +6,10 @@ pub mod site;
 
 use std::path::Path;
 
-use crate::compose::Composed;
 use crate::diag::{Code, Diagnostic};
-use crate::run::Digest;
+use crate::exhibits::Shown;
+use crate::plan::Plan;
+use crate::sources::Digest;
 use drift::Now;
 use lock::Lock;
 
@@ -24,9 +25,9 @@ pub fn read_lock(root: &Path) -> Result<Option<Lock>, Vec<Diagnostic>> {
     Lock::read(&text).map(Some)
 }
 
-/// What each exhibit of a composed book is now, in the order of the book.
-pub fn now(composed: &Composed) -> Vec<Now> {
-    let exhibits = composed.plan.exhibits.iter().zip(&composed.shown);
+/// What each exhibit of a plan is now, in the order of the book; `shown` are the plan's exhibits.
+pub fn now(plan: &Plan, shown: &[Shown]) -> Vec<Now> {
+    let exhibits = plan.exhibits.iter().zip(shown);
     exhibits
         .map(|(exhibit, shown)| Now {
             id: exhibit.id.clone(),

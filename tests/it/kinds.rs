@@ -2,7 +2,7 @@
 
 use crate::parameters::plan;
 use workbook::chart::Sheet;
-use workbook::exhibits::Drawing;
+use workbook::chart::Drawing;
 use workbook::kinds::{Failure, Outcome, Value};
 use workbook::seed::Seed;
 

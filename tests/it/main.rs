@@ -3,9 +3,15 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod battery;
+#[cfg(feature = "publish")]
+mod cache;
+#[cfg(feature = "publish")]
+mod code;
 mod expected;
 #[cfg(feature = "publish")]
 mod kinds;
+#[cfg(feature = "publish")]
+mod lock;
 #[cfg(feature = "publish")]
 mod parameters;
 mod statistics;

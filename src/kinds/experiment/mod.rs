@@ -13,7 +13,7 @@ pub use values::{Measured, Value, Values};
 
 use crate::catalogue::About;
 use crate::chart::{ChartError, Sheet};
-use crate::exhibits::Drawing;
+use crate::chart::Drawing;
 use crate::parameters::{Fields, ParameterDoc, Parameters};
 use crate::seed::Seed;
 

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use crate::diag::{Code, Diagnostic, Place};
 use crate::kinds::{Measured, Value, Values};
-use crate::run::Digest;
+use crate::sources::Digest;
 
 mod read;
 mod write;
@@ -19,10 +19,10 @@ pub const FILE: &str = "book/workbook.lock";
 /// The version of the lock's format.
 pub const FORMAT: i64 = 1;
 
-/// From more values than this on, those that belong to a series are recorded by their digest and a summary.
+/// If an exhibit has more values than this, its long series are recorded by their digest and a summary.
 const MANY: usize = 64;
-/// A series shorter than this is recorded value by value all the same.
-const SERIES: usize = 9;
+/// The least length of a long series. The values of a shorter one are no more to read than its summary, and tell more.
+const SERIES: usize = 17;
 
 /// The record of all exhibits.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -10,7 +10,7 @@ use toml::de::{DeTable, DeValue};
 use super::{FILE, FORMAT, Lock, Record, Series};
 use crate::diag::{Code, Diagnostic, Place};
 use crate::kinds::{Measured, Value};
-use crate::run::Digest;
+use crate::sources::Digest;
 
 impl Lock {
     /// Reads the text of a lock, or tells everything that is wrong with it.

@@ -6,12 +6,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
-use super::digest::Digest;
-
+mod digest;
 mod item;
 mod lex;
 mod uses;
 
+pub use digest::Digest;
 pub use item::{Item, item, items};
 use lex::Token;
 use uses::Entry;
@@ -26,14 +26,17 @@ const NOT_COMPUTING: &[&str] = &[
     "lib.rs",
     "main.rs",
     "diag.rs",
+    "compose.rs",
     "workspace.rs",
     "parse/",
     "plan/",
     "run/",
     "exhibits/",
     "chart/",
+    "show/",
     "render/",
     "verify/",
+    "write.rs",
     "cli/",
 ];
 
@@ -52,10 +55,22 @@ pub fn sources() -> &'static Sources<'static> {
 /// A table of sources, and what of it computes.
 #[derive(Debug)]
 pub struct Sources<'a> {
-    files: BTreeMap<&'a str, &'a [u8]>,
+    /// Of each file, the part that computes.
+    files: BTreeMap<&'a str, String>,
     entries: BTreeSet<Entry<'a>>,
+    units: BTreeMap<Entry<'a>, Unit<'a>>,
     engine: Digest,
     dependencies: Digest,
+}
+
+/// The code of one entry.
+#[derive(Debug)]
+struct Unit<'a> {
+    /// Its first file, which names it.
+    file: &'a str,
+    digest: Digest,
+    /// The entries that it uses directly.
+    uses: BTreeSet<Entry<'a>>,
 }
 
 impl<'a> Sources<'a> {
@@ -63,15 +78,17 @@ impl<'a> Sources<'a> {
     pub fn new(files: impl IntoIterator<Item = (&'a str, &'a [u8])>, locked: &str) -> Self {
         let files: BTreeMap<_, _> = files.into_iter().collect();
         let entries = entries(&files);
+        let files = files.into_iter().map(|(file, bytes)| (file, computing(file, bytes))).collect();
         let dependencies = dependencies(locked);
-        let mut sources = Self { files, entries, engine: Digest::of(b""), dependencies };
+        let mut sources = Self { files, entries, units: BTreeMap::new(), engine: dependencies, dependencies };
+        sources.units = sources.entries.iter().filter_map(|&entry| Some((entry, sources.unit(entry)?))).collect();
         sources.engine = sources.digest_engine();
         sources
     }
 
     /// The files of the catalogues' entries, in order.
     pub fn entries(&self) -> impl Iterator<Item = &'a str> + '_ {
-        self.entries.iter().filter_map(|&entry| self.files_of(entry).next())
+        self.units.values().map(|unit| unit.file)
     }
 
     /// The digest of all code that computes and is not an entry's own.
@@ -89,17 +106,15 @@ impl<'a> Sources<'a> {
         let mut digests = BTreeMap::new();
         let mut due = BTreeSet::new();
         for file in files {
-            match self.entry_of(file) {
-                Some(entry) => due.extend([entry]),
+            if let Some(entry) = self.entry_of(file) {
+                due.insert(entry);
+            } else {
                 // Covered by the engine's digest as well; named here so that the key says so.
-                None => drop(digests.insert(file.to_owned(), Digest::of(self.computing(file).as_bytes()))),
+                digests.insert(file.to_owned(), Digest::of(self.computing(file).as_bytes()));
             }
         }
-        for entry in self.closure(due) {
-            if let Some(first) = self.files_of(entry).next() {
-                digests.insert(first.to_owned(), self.digest(self.files_of(entry)));
-            }
-        }
+        let units = self.closure(due).into_iter().filter_map(|entry| self.units.get(&entry));
+        digests.extend(units.map(|unit| (unit.file.to_owned(), unit.digest)));
         digests
     }
 
@@ -108,18 +123,27 @@ impl<'a> Sources<'a> {
         let mut seen = BTreeSet::new();
         while let Some(entry) = due.pop_first() {
             if seen.insert(entry) {
-                due.extend(self.files_of(entry).flat_map(|file| self.uses(file)));
+                due.extend(self.units.get(&entry).into_iter().flat_map(|unit| &unit.uses));
             }
         }
         seen
     }
 
+    /// The code of an entry that has a file.
+    fn unit(&self, entry: Entry<'a>) -> Option<Unit<'a>> {
+        let files: Vec<&'a str> = self.files_of(entry).collect();
+        let uses = files.iter().flat_map(|file| self.uses(file)).collect();
+        Some(Unit { file: files.first()?, digest: self.digest(files.iter().copied()), uses })
+    }
+
     /// The entries that the file uses.
     fn uses(&self, file: &'a str) -> BTreeSet<Entry<'a>> {
-        let text = computing(file, self.files.get(file).copied().unwrap_or_default());
-        let tokens = kept(file, lex::tokens(&text));
+        if !is_rust(file) {
+            return BTreeSet::new();
+        }
+        let tokens = kept(file, lex::tokens(self.computing(file)));
         let folder = file.split_once('/').map_or("", |(folder, _)| folder);
-        let found = uses::uses(&tokens, folder, &self.entries.iter().copied().collect());
+        let found = uses::uses(&tokens, folder, &self.entries);
         self.entries.iter().copied().filter(|entry| found.contains(entry)).collect()
     }
 
@@ -141,8 +165,8 @@ impl<'a> Sources<'a> {
     }
 
     /// The part of the file that computes.
-    fn computing(&self, file: &str) -> String {
-        computing(file, self.files.get(file).copied().unwrap_or_default())
+    fn computing(&self, file: &str) -> &str {
+        self.files.get(file).map_or("", String::as_str)
     }
 
     /// The digest of the computing parts of `files`.
@@ -155,9 +179,9 @@ impl<'a> Sources<'a> {
     fn normal(&self, file: &str) -> String {
         let text = self.computing(file);
         if !is_catalogue(file) {
-            return text;
+            return text.to_owned();
         }
-        let tokens = kept(file, lex::tokens(&text));
+        let tokens = kept(file, lex::tokens(text));
         tokens.iter().map(|token| token.text).collect::<Vec<_>>().join(" ")
     }
 
@@ -176,6 +200,11 @@ impl<'a> Sources<'a> {
 fn not_computing(file: &str) -> bool {
     let named = |name: &&str| if name.ends_with('/') { file.starts_with(*name) } else { file == *name };
     NOT_COMPUTING.iter().any(named) || (file.starts_with("kinds/") && file.ends_with("/drawing.rs"))
+}
+
+/// Whether `file` is code rather than data.
+fn is_rust(file: &str) -> bool {
+    file.strip_suffix(".rs").is_some()
 }
 
 /// Whether `file` is the `mod.rs` of a folder right below `src`, where catalogues are.
@@ -205,7 +234,7 @@ fn computing(file: &str, bytes: &[u8]) -> String {
     }
     let Ok(text) = std::str::from_utf8(bytes) else { return Digest::of(bytes).to_string() };
     let text = text.replace("\r\n", "\n");
-    if file.strip_suffix(".rs").is_none() {
+    if !is_rust(file) {
         return text;
     }
     let mut rest = String::new();
@@ -220,6 +249,10 @@ fn computing(file: &str, bytes: &[u8]) -> String {
 
 /// The ranges of the modules, at the left margin, that compute nothing.
 fn idle(text: &str, draws: bool) -> Vec<(usize, usize)> {
+    // Most files have no such module: they need no reading.
+    if !(text.contains("cfg") || draws) {
+        return Vec::new();
+    }
     let tokens = lex::tokens(text);
     let mut found = Vec::new();
     let mut at = 0;

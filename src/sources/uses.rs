@@ -82,7 +82,7 @@ fn visibility(tokens: &[Token<'_>], at: usize) -> usize {
 }
 
 /// The entries among `entries` that the code `tokens`, in a file of `folder`, uses.
-pub fn uses<'a>(tokens: &[Token<'a>], folder: &str, entries: &BTreeSet<Entry<'a>>) -> BTreeSet<Entry<'a>> {
+pub fn uses<'a>(tokens: &[Token<'a>], folder: &'a str, entries: &BTreeSet<Entry<'a>>) -> BTreeSet<Entry<'a>> {
     let mut found = BTreeSet::new();
     for path in paths(tokens) {
         let below: Vec<&str> =
@@ -96,7 +96,7 @@ pub fn uses<'a>(tokens: &[Token<'a>], folder: &str, entries: &BTreeSet<Entry<'a>
         if let [first, rest @ ..] = below
             && (relative || (!rooted && !rest.is_empty()))
         {
-            found.extend(entries.iter().filter(|entry| **entry == (folder, *first)));
+            found.extend(entries.get(&(folder, *first)));
         }
         if path.opens {
             let opened = match below {
@@ -173,7 +173,7 @@ mod tests {
     const ENTRIES: [Entry<'static>; 5] =
         [("samplers", "halton"), ("samplers", "sobol"), ("integrands", "step"), ("kinds", "points"), ("kinds", "step")];
 
-    fn used(folder: &str, source: &str) -> Vec<String> {
+    fn used(folder: &'static str, source: &str) -> Vec<String> {
         let source: &'static str = String::leak(source.to_owned());
         uses(&tokens(source), folder, &ENTRIES.into_iter().collect()).iter().map(|(a, b)| format!("{a}/{b}")).collect()
     }

@@ -1,4 +1,4 @@
-"""Makes the five font files of this folder from their packages; README.md says how to run it."""
+"""Makes the font files in assets/fonts from their packages; the README there says how to run it."""
 
 import sys
 from io import BytesIO
@@ -102,4 +102,4 @@ def main(packages, here):
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), Path(__file__).resolve().parent)
+    main(Path(sys.argv[1]), Path(__file__).resolve().parent / "assets" / "fonts")

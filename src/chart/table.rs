@@ -1,6 +1,27 @@
-//! Tables: typed cells that keep their numbers, and how they are printed.
+//! What a kind gives to be shown: a figure, or a table whose typed cells keep their numbers. Turning it into HTML is `render`'s.
 
-use crate::chart::number;
+use super::{Figure, number};
+
+/// What a kind draws.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Drawing {
+    /// An SVG.
+    Figure(Figure),
+    /// A table.
+    Table(Table),
+}
+
+impl From<Figure> for Drawing {
+    fn from(figure: Figure) -> Self {
+        Self::Figure(figure)
+    }
+}
+
+impl From<Table> for Drawing {
+    fn from(table: Table) -> Self {
+        Self::Table(table)
+    }
+}
 
 /// How a column stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

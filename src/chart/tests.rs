@@ -1,0 +1,119 @@
+//! Whole figures: well-formed, finite, small, the same every time; points within their strata as written; errors as values.
+
+use super::*;
+
+fn sheet() -> Sheet {
+    Sheet::new("fig-test", "Points & <lines>", "A \"test\"")
+}
+
+fn chart(layer: impl Into<Layer>) -> Chart {
+    Chart::new(Panel::new(Axis::linear("*x*"), Axis::linear("*y*")).with(layer))
+}
+
+/// The radical inverse in base 2.
+fn inverse(i: u32) -> f64 {
+    f64::from(i.reverse_bits()) / 4_294_967_296.0
+}
+
+/// Checks that tags nest and that nothing was written that is no number.
+fn well_formed(svg: &str) {
+    let mut open = Vec::new();
+    for part in svg.split('<').skip(1) {
+        let (tag, text) = part.split_once('>').unwrap();
+        assert!(!text.contains(['"', '>']) && tag.matches('"').count().is_multiple_of(2), "{tag}");
+        let name = tag.split([' ', '/']).find(|part| !part.is_empty()).unwrap();
+        if tag.starts_with('/') {
+            assert_eq!(open.pop(), Some(name));
+        } else if !tag.ends_with('/') {
+            open.push(name);
+        }
+    }
+    assert!(open.is_empty() && !svg.contains("NaN") && !svg.contains("\"inf"));
+}
+
+#[test]
+fn figures_are_well_formed_and_repeat() {
+    let line = Line::new((0..50).map(|i| (f64::from(i), f64::from(i * i))).collect()).label("a < b").marked();
+    let figure = chart(line.clone()).draw(&sheet()).unwrap();
+    well_formed(&figure.svg);
+    assert_eq!(figure, chart(line).draw(&sheet()).unwrap());
+    for part in ["role=\"img\"", "id=\"fig-test-title\"", "Points &amp; &lt;lines&gt;", "<desc", "a &lt; b"] {
+        assert!(figure.svg.contains(part), "{part}");
+    }
+}
+
+/// The centres of the discs of a figure, in hundredths.
+fn discs(svg: &str) -> Vec<(i64, i64)> {
+    let data = svg.lines().find(|line| line.matches("h0").count() > 3).unwrap();
+    let number = |text: &str| (text.parse::<f64>().unwrap() * 100.0).round() as i64;
+    let data = data.split_once(" d=\"M").unwrap().1.split_once('"').unwrap().0;
+    let pair = |text: &str| text.split_once(' ').map(|(x, y)| (number(x), number(y)));
+    data.split('M').filter_map(|part| pair(part.strip_suffix("h0")?)).collect()
+}
+
+#[test]
+fn points_are_in_their_strata_as_written() {
+    let n = 64;
+    let points: Vec<_> = (0..n).map(|i| (f64::from(i) / f64::from(n), inverse(i))).collect();
+    let panel = Panel::unit_square().strata(Strata::slabs(n)).with(Marks::new(points.clone()));
+    let figure = Chart::new(panel).draw(&sheet()).unwrap();
+    let frame = figure.svg.lines().find(|line| line.ends_with("z\"/>")).unwrap();
+    let corners = frame.split_once(" d=\"M").unwrap().1.trim_end_matches("z\"/>");
+    let corners: Vec<i64> = corners.split(' ').map(|v| (v.parse::<f64>().unwrap() * 100.0).round() as i64).collect();
+    let (left, top, side) = (corners[0], corners[1], corners[2] - corners[0]);
+    for ((x, y), &(a, b)) in discs(&figure.svg).into_iter().zip(&points) {
+        let inside = |at: i64, value: f64| {
+            let k = (value * f64::from(n)).floor() as i64;
+            at * i64::from(n) > k * side && at * i64::from(n) < (k + 1) * side
+        };
+        assert!(inside(x - left, a) && inside(top + side - y, b), "{a} {b}");
+    }
+}
+
+#[test]
+fn many_points_are_small() {
+    let points = |n: u32| (0..n).map(|i| (f64::from(i) / f64::from(n), inverse(i))).collect::<Vec<_>>();
+    let panel = |n| Panel::unit_square().with(Marks::new(points(n)).style(Style::of("sobol")));
+    let figure = Chart::new(panel(4096)).draw(&sheet()).unwrap();
+    assert!(figure.svg.len() < 100_000 && discs(&figure.svg).len() == 4096);
+    let figure = Chart::new(panel(1_000_000)).draw(&sheet()).unwrap();
+    assert!(figure.svg.len() < 200_000);
+    well_formed(&figure.svg);
+}
+
+#[test]
+fn what_cannot_be_drawn_is_told() {
+    let values = vec![(1.0, 1.0), (2.0, 0.0), (3.0, f64::NAN), (4.0, 10.0)];
+    let panel = Panel::new(Axis::linear("*x*"), Axis::log("*y*")).with(Line::new(values));
+    let figure = Chart::new(panel).draw(&sheet()).unwrap();
+    well_formed(&figure.svg);
+    assert!(figure.svg.contains("Not shown: 1 not positive, 1 not finite"));
+}
+
+#[test]
+fn nothing_is_an_error() {
+    assert_eq!(Chart::grid(Vec::new()).draw(&sheet()), Err(ChartError::NoPanel));
+    let empty = Err(ChartError::Empty { panel: 0 });
+    assert_eq!(chart(Line::new(Vec::new())).draw(&sheet()), empty);
+    assert_eq!(chart(Marks::new(vec![(f64::NAN, 1.0), (f64::INFINITY, 0.0)])).draw(&sheet()), empty);
+    let far = Panel::unit_square().with(Marks::new(vec![(7.0, 7.0)]));
+    assert_eq!(Chart::new(far).draw(&sheet()), empty);
+    let bars = Bars::new(vec![0.0, 1.0], vec![1.0, 2.0]);
+    assert!(matches!(chart(bars).draw(&sheet()), Err(ChartError::Lengths { .. })));
+    let narrow = Sheet { width: f64::NAN, ..sheet() };
+    assert!(matches!(chart(Marks::new(vec![(0.0, 0.0)])).draw(&narrow), Err(ChartError::Narrow { .. })));
+}
+
+#[test]
+fn extremes_are_drawn_or_refused() {
+    for value in [0.0, -3.0, 1e-300, 1e300, f64::MIN_POSITIVE, f64::MAX] {
+        if let Ok(figure) = chart(Marks::new(vec![(value, value)])).draw(&sheet()) {
+            well_formed(&figure.svg);
+        }
+        let panel =
+            Panel::new(Axis::log("*x*"), Axis::log2("*y*")).with(Line::new(vec![(value, value), (1.0, 1.0)]).marked());
+        well_formed(&Chart::new(panel).draw(&sheet()).unwrap().svg);
+    }
+    let wide = chart(Line::new(vec![(-f64::MAX, 0.0), (f64::MAX, 1.0)])).draw(&sheet());
+    assert!(matches!(wide, Err(ChartError::Range { .. })));
+}
