@@ -1,8 +1,7 @@
 //! The kinds: what they compute, that it is the same on any number of threads, and that nothing makes them panic.
 
 use crate::parameters::plan;
-use workbook::chart::Sheet;
-use workbook::chart::Drawing;
+use workbook::chart::{Drawing, Sheet};
 use workbook::kinds::{Failure, Outcome, Value};
 use workbook::seed::Seed;
 
