@@ -12,8 +12,8 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, mean_with_error, reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::{ChartError, Sheet};
 use crate::chart::Drawing;
+use crate::chart::{ChartError, Sheet};
 use crate::integrands::Function;
 use crate::parameters::{Counts, parameters};
 use crate::samplers::Method;
@@ -218,9 +218,9 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Convergence, Curve, Data, extremes};
+    use crate::chart::Drawing;
     use crate::chart::number::{fixed, integer, significant};
     use crate::chart::{Axis, Chart, ChartError, Line, Panel, Sheet, Style};
-    use crate::chart::Drawing;
 
     pub(super) fn draw(p: &Convergence, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let title = if data.curves.iter().all(|curve| curve.replicates == 1) { "absolute error" } else { "RMSE" };

@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::{ChartError, Sheet};
 use crate::chart::Drawing;
+use crate::chart::{ChartError, Sheet};
 use crate::integrands::Function;
 use crate::parameters::{Counts, parameters};
 use crate::samplers::Method;
@@ -163,7 +163,7 @@ mod drawing {
 
     use super::{Data, EstimateTable, Row};
     use crate::chart::number::{fixed, integer, parts, significant};
-    use crate::exhibits::{Cell, Column, Drawing, Table};
+    use crate::chart::{Cell, Column, Drawing, Table};
 
     /// The digits after the point that a number with this error deserves: to the error's second digit.
     fn places(error: f64) -> usize {

@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::estimation::undefined;
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
+use crate::chart::Drawing;
 use crate::chart::{ChartError, Sheet};
 use crate::diag::Code;
-use crate::chart::Drawing;
 use crate::integrands::Function as Integrand;
 use crate::parameters::parameters;
 use crate::seed::Seed;
@@ -176,9 +176,9 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Data, Function, at};
+    use crate::chart::Drawing;
     use crate::chart::number::significant;
     use crate::chart::{Area, Axis, Chart, ChartError, Line, Panel, Role, Rule, Sheet, Style};
-    use crate::chart::Drawing;
 
     pub(super) fn draw(p: &Function, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let curve: Vec<(f64, f64)> =

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, mean_with_error, reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
+use crate::chart::Drawing;
 use crate::chart::{ChartError, Sheet};
 use crate::diag::Code;
-use crate::chart::Drawing;
 use crate::integrands::Function;
 use crate::parameters::{Counts, choices, parameters};
 use crate::samplers::Method;
@@ -235,9 +235,9 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Axes, Data, Distribution, Histogram};
+    use crate::chart::Drawing;
     use crate::chart::number::{fixed, integer, significant};
     use crate::chart::{Axis, Bars, Chart, ChartError, Key, Line, Panel, Rule, Sheet, Style};
-    use crate::chart::Drawing;
     use crate::stats::normal;
 
     /// Of how many pieces the normal curve is drawn.

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
+use crate::chart::Drawing;
 use crate::chart::{ChartError, Sheet};
 use crate::diag::Code;
-use crate::chart::Drawing;
 use crate::parameters::{choices, parameters};
 use crate::points::Points as Placed;
 use crate::samplers::Method;
@@ -222,9 +222,9 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Data, Points, Set, Strata, side};
+    use crate::chart::Drawing;
     use crate::chart::number::{integer, significant};
     use crate::chart::{self, Axis, Chart, ChartError, Key, Marks, Panel, Sheet, Style};
-    use crate::chart::Drawing;
 
     pub(super) fn draw(p: &Points, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let panels = data.sets.iter().map(|set| panel(p, set, data.sets.len() > 1)).collect();

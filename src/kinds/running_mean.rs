@@ -9,9 +9,9 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, reference, replicates_of};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
+use crate::chart::Drawing;
 use crate::chart::{ChartError, Sheet};
 use crate::diag::Code;
-use crate::chart::Drawing;
 use crate::integrands::Function;
 use crate::parameters::parameters;
 use crate::samplers::{Guarantee, Method};
@@ -206,9 +206,9 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{BAND, Data, RunningMean, Runs};
+    use crate::chart::Drawing;
     use crate::chart::number::{fixed, integer, significant};
     use crate::chart::{Axis, Band, Chart, ChartError, Line, Panel, Rich, Rule, Sheet, Style};
-    use crate::chart::Drawing;
 
     pub(super) fn draw(_: &RunningMean, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let several = data.methods.len() > 1;

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::{ChartError, Sheet};
 use crate::chart::Drawing;
+use crate::chart::{ChartError, Sheet};
 use crate::parameters::parameters;
 use crate::samplers::{Method, halton, van_der_corput};
 use crate::seed::Seed;
@@ -147,7 +147,7 @@ mod drawing {
     //! The table of digits, and its words.
 
     use super::{Data, VanDerCorputTable};
-    use crate::exhibits::{Cell, Column, Drawing, Table};
+    use crate::chart::{Cell, Column, Drawing, Table};
 
     pub(super) fn draw(p: &VanDerCorputTable, data: &Data) -> Drawing {
         let base = p.base;
