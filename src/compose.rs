@@ -6,14 +6,14 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::diag::{Diagnostic, any_error};
+use crate::exhibits::Shown;
 use crate::kinds::Outcome;
 use crate::parse::Course;
 use crate::plan::{Exhibit, Plan};
 use crate::render::Book;
 use crate::run::{Cache, Job, Observer, Ran};
-use crate::exhibits::Shown;
 use crate::workspace::Workspace;
-use crate::{parse, plan, exhibits, render, run, verify, workspace};
+use crate::{exhibits, parse, plan, render, run, verify, workspace};
 
 /// What a book is made from.
 #[derive(Debug, Clone)]
@@ -96,8 +96,16 @@ pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
     let (shown, complaints) = clock.time("exhibits", || exhibits::show(&plan, outcomes));
     diagnostics.extend(complaints);
     diagnostics.extend(exhibits::check_values(&course, &plan, &shown));
-    let mut composed =
-        Composed { workspace, course, plan, shown: Vec::new(), book: Book::default(), ran, diagnostics, timings: Vec::new() };
+    let mut composed = Composed {
+        workspace,
+        course,
+        plan,
+        shown: Vec::new(),
+        book: Book::default(),
+        ran,
+        diagnostics,
+        timings: Vec::new(),
+    };
     if let Some(shown) = shown.into_iter().collect::<Option<Vec<_>>>() {
         composed.shown = shown;
     }
@@ -126,7 +134,8 @@ pub fn job(exhibit: &Exhibit) -> Job {
 
 /// The result of each exhibit with the digest of its key, where there is one, and what went wrong where there is none.
 fn outcomes(plan: &Plan, ran: &[Ran]) -> (Vec<Option<(String, Arc<Outcome>)>>, Vec<Diagnostic>) {
-    let by_id: BTreeMap<&str, &Ran> = ran.iter().flat_map(|ran| ran.ids.iter().map(move |id| (id.as_str(), ran))).collect();
+    let by_id: BTreeMap<&str, &Ran> =
+        ran.iter().flat_map(|ran| ran.ids.iter().map(move |id| (id.as_str(), ran))).collect();
     let mut diagnostics = Vec::new();
     let outcomes = plan.exhibits.iter().map(|exhibit| match by_id.get(exhibit.id.as_str()) {
         Some(Ran { outcome: Ok(outcome), key, .. }) => Some((key.digest().to_string(), Arc::clone(outcome))),

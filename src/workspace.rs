@@ -145,7 +145,8 @@ fn place(path: String, bytes: Vec<u8>, workspace: &mut Workspace, diagnostics: &
 
 /// Whether the tool reads the file as text.
 fn is_text(path: &str) -> bool {
-    const TEXTS: &[&str] = &["md", "csl", "xml", "toml", "bib", "html", "css", "js", "c", "h", "rs", "py", "r", "jl", "csv", "txt"];
+    const TEXTS: &[&str] =
+        &["md", "csl", "xml", "toml", "bib", "html", "css", "js", "c", "h", "rs", "py", "r", "jl", "csv", "txt"];
     let extension = path.rsplit_once('.').map(|(_, extension)| extension);
     extension.is_some_and(|extension| TEXTS.contains(&extension))
 }

@@ -1,8 +1,8 @@
 //! The writer: the book's folder is replaced whole or not at all.
 
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::fs;
 
 use crate::diag::{Code, Diagnostic};
 use crate::render::{Book, FIGURES};
@@ -30,8 +30,11 @@ pub fn write(book: &Book, out: &Path) -> Result<Outcome, Diagnostic> {
         Err(_) => None,
     };
     if !is_book_or_free(out) {
-        return Err(Diagnostic::error(Code::NotABook, format!("`{}` holds files that are no book of this tool", out.display()))
-            .help("name another folder with `--out DIR`, or empty this one: building replaces it whole"));
+        return Err(Diagnostic::error(
+            Code::NotABook,
+            format!("`{}` holds files that are no book of this tool", out.display()),
+        )
+        .help("name another folder with `--out DIR`, or empty this one: building replaces it whole"));
     }
     if holds(out, book) {
         return Ok(Outcome::Unchanged);
@@ -65,7 +68,9 @@ pub fn write_lock(root: &Path, text: &str) -> Result<(), Diagnostic> {
         fs::write(&staged, text)?;
         fs::rename(&staged, &path)
     };
-    write().map_err(|error| Diagnostic::error(Code::Unwritable, format!("the lock cannot be written to `{}`: {error}", path.display())))
+    write().map_err(|error| {
+        Diagnostic::error(Code::Unwritable, format!("the lock cannot be written to `{}`: {error}", path.display()))
+    })
 }
 
 /// A folder beside the book that is removed however the writing ends: the half-written book, or the one that was replaced.

@@ -23,6 +23,16 @@ impl From<Table> for Drawing {
     }
 }
 
+impl Drawing {
+    /// Everything of it that a reader can see, as text: what the lock's digest of a drawing covers.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Figure(figure) => figure.svg.clone(),
+            Self::Table(table) => table.text(),
+        }
+    }
+}
+
 /// How a column stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Align {

@@ -38,7 +38,10 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
     let accepted = match drift::accept(&old, &now, (!reviewed.is_empty()).then_some(&reviewed)) {
         Ok(lock) => lock,
         Err(unknown) => {
-            report::say(&format!("no exhibit has the id {}; `workbook list exhibits` names them all", unknown.join(", ")), options);
+            report::say(
+                &format!("no exhibit has the id {}; `workbook list exhibits` names them all", unknown.join(", ")),
+                options,
+            );
             return Exit::Call;
         }
     };

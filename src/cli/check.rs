@@ -11,7 +11,10 @@ pub(super) fn run(options: &Options) -> Exit {
     let exit = Exit::of(&planned.diagnostics);
     if exit == Exit::Fine {
         let exhibits = planned.plan.exhibits.len();
-        report::say(&format!("{} chapters and {exhibits} exhibits are well written", planned.course.chapters.len()), options);
+        report::say(
+            &format!("{} chapters and {exhibits} exhibits are well written", planned.course.chapters.len()),
+            options,
+        );
     }
     exit
 }

@@ -31,7 +31,10 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
     };
     match removed {
         Ok(()) => {
-            report::say(&format!("removed {:.1} kB of results", before.saturating_sub(cache.size()) as f64 / 1e3), options);
+            report::say(
+                &format!("removed {:.1} kB of results", before.saturating_sub(cache.size()) as f64 / 1e3),
+                options,
+            );
             Exit::Fine
         }
         Err(error) => {

@@ -120,11 +120,7 @@ impl Options {
     /// What a book is made from.
     fn request(&self) -> Request {
         let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        Request {
-            root: self.root.clone(),
-            threads: self.jobs.map_or(processors, usize::from),
-            cached: !self.no_cache,
-        }
+        Request { root: self.root.clone(), threads: self.jobs.map_or(processors, usize::from), cached: !self.no_cache }
     }
 
     /// Where the book goes.

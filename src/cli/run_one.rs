@@ -32,7 +32,11 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
     let ran = run::run(vec![job(exhibit)], request.cache().as_ref(), request.threads, &Progress::new(options));
     match ran.first().map(|ran| &ran.outcome) {
         Some(Ok(outcome)) => {
-            report::to_stdout(&if options.format == Format::Json { as_json(exhibit, outcome) } else { as_text(outcome) });
+            report::to_stdout(&if options.format == Format::Json {
+                as_json(exhibit, outcome)
+            } else {
+                as_text(outcome)
+            });
             Exit::Fine
         }
         Some(Err(failure)) => {
@@ -62,8 +66,10 @@ fn as_text(outcome: &Outcome) -> String {
 }
 
 fn as_json(exhibit: &Exhibit, outcome: &Outcome) -> String {
-    let values: Map<String, Json> = outcome.values.iter().map(|(name, measured)| (name.to_owned(), number(measured))).collect();
-    let errors = outcome.values.iter().filter_map(|(name, measured)| Some((name.to_owned(), json!(measured.standard_error?))));
+    let values: Map<String, Json> =
+        outcome.values.iter().map(|(name, measured)| (name.to_owned(), number(measured))).collect();
+    let errors =
+        outcome.values.iter().filter_map(|(name, measured)| Some((name.to_owned(), json!(measured.standard_error?))));
     let errors: Map<String, Json> = errors.collect();
     let whole = json!({
         "id": exhibit.id,

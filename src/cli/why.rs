@@ -28,7 +28,12 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
         How::Cached => "fresh: its result is in the cache".to_owned(),
         How::Computed(why) => format!("stale: {}", reason(&why)),
     };
-    let mut text = format!("{} is {state}\n\nkey {}\n{}\n", arguments.id, job.key.digest(), serde_json::to_string_pretty(&job.key).unwrap_or_default());
+    let mut text = format!(
+        "{} is {state}\n\nkey {}\n{}\n",
+        arguments.id,
+        job.key.digest(),
+        serde_json::to_string_pretty(&job.key).unwrap_or_default()
+    );
     if let Some(old) = cache.latest(&arguments.id) {
         let differences = job.key.differences(&old);
         if !differences.is_empty() {

@@ -12,9 +12,12 @@ use crate::plan::Plan;
 pub fn check(course: &Course, plan: &Plan, shown: &[Option<Shown>]) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
     for (index, chapter) in course.chapters.iter().enumerate() {
-        let mut visit = |nodes: &[Node]| walk(nodes, &mut |value, node| {
-            diagnostics.extend(missing(value, plan, shown).map(|error| error.at(&chapter.file, node.range.clone())));
-        });
+        let mut visit = |nodes: &[Node]| {
+            walk(nodes, &mut |value, node| {
+                diagnostics
+                    .extend(missing(value, plan, shown).map(|error| error.at(&chapter.file, node.range.clone())));
+            })
+        };
         visit(&chapter.content.nodes);
         plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index).for_each(|exhibit| visit(&exhibit.caption));
         plan.listings.iter().filter(|listing| listing.chapter == index).for_each(|listing| visit(&listing.caption));

@@ -81,7 +81,8 @@ fn holds(bound: &Bound, measured: &Measured, values: &Values) -> Result<bool, St
 }
 
 fn agrees(number: f64, standard_error: Option<f64>, with: &str, within: f64, values: &Values) -> Result<bool, String> {
-    let other = values.get(with).and_then(Measured::number).ok_or_else(|| format!("the exhibit gives no number `{with}`"))?;
+    let other =
+        values.get(with).and_then(Measured::number).ok_or_else(|| format!("the exhibit gives no number `{with}`"))?;
     let error = standard_error.ok_or("the value has no standard error, so `agrees` says nothing; use `near`")?;
     Ok((number - other).abs() <= within * error)
 }
@@ -105,10 +106,13 @@ fn no_value(exhibit: &Exhibit, claim: &Claim, values: &Values, place: &Place) ->
 fn false_claim(exhibit: &Exhibit, verdict: &Verdict, place: &Place) -> Diagnostic {
     let measured = Format::Shortest.write(&verdict.measured);
     let error = verdict.measured.standard_error.map(|error| format!(" (standard error {error})")).unwrap_or_default();
-    Diagnostic::error(Code::FalseClaim, format!("a claim of `{}` is false: `{}` is {measured}{error}", exhibit.id, verdict.value))
-        .at_place(place)
-        .label(format!("claimed: {}", verdict.bound_text()))
-        .help("if the result is right, correct the claim and the prose around it; else mend what computes it")
+    Diagnostic::error(
+        Code::FalseClaim,
+        format!("a claim of `{}` is false: `{}` is {measured}{error}", exhibit.id, verdict.value),
+    )
+    .at_place(place)
+    .label(format!("claimed: {}", verdict.bound_text()))
+    .help("if the result is right, correct the claim and the prose around it; else mend what computes it")
 }
 
 impl Verdict {
@@ -130,7 +134,9 @@ impl Verdict {
     pub fn bound_html(&self) -> String {
         match &self.bound {
             Bound::Near { target, within } => format!("{}\u{202f}±\u{202f}{within}", minus(&target.to_string())),
-            Bound::Agrees { with, within } => format!("within {within} standard errors of <code>{}</code>", crate::plan::escape(with)),
+            Bound::Agrees { with, within } => {
+                format!("within {within} standard errors of <code>{}</code>", crate::plan::escape(with))
+            }
             _ => minus(&crate::plan::escape(&self.bound_text())),
         }
     }

@@ -134,7 +134,9 @@ fn read_macros(fields: &mut Fields<'_>) -> BTreeMap<String, String> {
         for (name, value) in written {
             match value.get_ref().as_str() {
                 Some(text) => drop(macros.insert(name.get_ref().trim_start_matches('\\').to_owned(), text.to_owned())),
-                None => math.complaints.push(Complaint::new(Code::WrongType, value.span(), "a macro is a string of LaTeX")),
+                None => {
+                    math.complaints.push(Complaint::new(Code::WrongType, value.span(), "a macro is a string of LaTeX"))
+                }
             }
         }
     }
@@ -153,7 +155,11 @@ fn check_bibliography(
     if workspace.text(path).is_none() {
         let range = source.text.find("bibliography").map_or(0..0, |start| start..start + "bibliography".len());
         let error = Diagnostic::error(Code::MissingInclude, format!("there is no bibliography `{path}`"));
-        diagnostics.push(error.at(&source.path, range).help(format!("the path starts at `{CHAPTERS}/`; the file is BibLaTeX, `.bib`")));
+        diagnostics.push(
+            error
+                .at(&source.path, range)
+                .help(format!("the path starts at `{CHAPTERS}/`; the file is BibLaTeX, `.bib`")),
+        );
     }
 }
 
@@ -180,8 +186,11 @@ pub(super) fn ordered_chapters<'w>(
     }
     for source in &all {
         if !order.iter().any(|(listed, _)| *listed == stem(source)) {
-            let error = Diagnostic::warning(Code::ChapterOrder, format!("the chapter `{}` is not in the book", source.path));
-            diagnostics.push(error.help(format!("add `\"{}\"` to `order` in {CONFIGURATION}, or remove the file", stem(source))));
+            let error =
+                Diagnostic::warning(Code::ChapterOrder, format!("the chapter `{}` is not in the book", source.path));
+            diagnostics.push(
+                error.help(format!("add `\"{}\"` to `order` in {CONFIGURATION}, or remove the file", stem(source))),
+            );
         }
     }
     chosen

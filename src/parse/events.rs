@@ -72,9 +72,8 @@ pub fn inline(
     let events = Parser::new_ext(text, parser_options()).into_offset_iter().collect();
     let mut reader = Reader::new(events, file, map, workspace, diagnostics);
     reader.run();
-    let paragraph = |what: &What| {
-        matches!(what, What::Markdown(Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph)))
-    };
+    let paragraph =
+        |what: &What| matches!(what, What::Markdown(Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph)));
     reader.content.nodes.retain(|node| !paragraph(&node.what));
     reader.content.nodes
 }
@@ -109,7 +108,19 @@ impl<'a, 'w> Reader<'a, 'w> {
     ) -> Self {
         let content = Content::default();
         let events = events.into_iter().peekable();
-        Self { events, file, content, diagnostics, map, workspace, allow_html: false, quotes: Vec::new(), links: 0, paragraph: false, pending: None }
+        Self {
+            events,
+            file,
+            content,
+            diagnostics,
+            map,
+            workspace,
+            allow_html: false,
+            quotes: Vec::new(),
+            links: 0,
+            paragraph: false,
+            pending: None,
+        }
     }
 
     fn run(&mut self) {
@@ -179,7 +190,8 @@ impl<'a, 'w> Reader<'a, 'w> {
     fn fence(&mut self, info: CowStr<'a>, range: Range<usize>) {
         let word = info.split_whitespace().next().unwrap_or_default().to_owned();
         if word != "experiment" && word != "listing" {
-            return self.push(What::Markdown(Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))).into_static()), range);
+            return self
+                .push(What::Markdown(Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))).into_static()), range);
         }
         let mut fence = Fence { text: String::new(), map: SourceMap::default(), range: self.map.range(range.clone()) };
         for (event, at) in self.events.by_ref() {
@@ -261,7 +273,8 @@ impl<'a, 'w> Reader<'a, 'w> {
             }
             _ => {
                 let error = self.error(Code::UnknownValue, format!("`={value}` names no value"), range);
-                self.diagnostics.push(error.help("write it as `=fig-id.value.name:.3`: an exhibit, a dot, the value's name"));
+                self.diagnostics
+                    .push(error.help("write it as `=fig-id.value.name:.3`: an exhibit, a dot, the value's name"));
             }
         }
     }
@@ -278,12 +291,16 @@ impl<'a, 'w> Reader<'a, 'w> {
             }
         }
         if alt.trim().is_empty() {
-            let error = self.error(Code::MissingAlt, format!("the picture `{url}` has no alternative text"), range.clone());
-            self.diagnostics.push(error.help("write between the brackets what the picture shows: `![words](file.png)`"));
+            let error =
+                self.error(Code::MissingAlt, format!("the picture `{url}` has no alternative text"), range.clone());
+            self.diagnostics
+                .push(error.help("write between the brackets what the picture shows: `![words](file.png)`"));
         }
         if !self.workspace.blobs.contains_key(format!("{CHAPTERS}/{url}").as_str()) {
-            let error = self.error(Code::MissingInclude, format!("there is no picture `{url}` in the course"), range.clone());
-            self.diagnostics.push(error.help(format!("paths start at `{CHAPTERS}/`; pictures from other hosts are not shown")));
+            let error =
+                self.error(Code::MissingInclude, format!("there is no picture `{url}` in the course"), range.clone());
+            self.diagnostics
+                .push(error.help(format!("paths start at `{CHAPTERS}/`; pictures from other hosts are not shown")));
         }
         let dest_url = CowStr::from(url.to_owned());
         let tag = Tag::Image { link_type, dest_url, title, id };

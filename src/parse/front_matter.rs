@@ -44,7 +44,8 @@ pub(super) fn read(range: Option<Range<usize>>, source: &Source, diagnostics: &m
     let written = Written::read(&mut fields);
     fields.finish(&["title", "summary"]);
     for complaint in fields.complaints {
-        let mut diagnostic = Diagnostic::error(complaint.code, complaint.message).at(&source.path, shift(complaint.range));
+        let mut diagnostic =
+            Diagnostic::error(complaint.code, complaint.message).at(&source.path, shift(complaint.range));
         diagnostic.help = complaint.help;
         diagnostics.push(diagnostic);
     }

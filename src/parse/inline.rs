@@ -99,7 +99,9 @@ impl<'a> Reader<'a, '_> {
         let rest = &run.text[at..];
         if rest.starts_with("[@") {
             let close = rest.find(']')?;
-            if let Some(cited) = citation(&rest[1..close], |range| self.map.range(run.range(at + 1 + range.start..at + 1 + range.end))) {
+            if let Some(cited) =
+                citation(&rest[1..close], |range| self.map.range(run.range(at + 1 + range.start..at + 1 + range.end)))
+            {
                 return Some((What::Citation(cited), close + 1));
             }
         }
@@ -120,7 +122,8 @@ impl<'a> Reader<'a, '_> {
         let name = &run.text[at + 2..at + close];
         if !name.is_empty() && !name.contains(char::is_whitespace) {
             let range = run.range(at..at + close + 1);
-            let error = self.error(Code::MissingTarget, format!("there is no footnote `{name}` in this chapter"), range);
+            let error =
+                self.error(Code::MissingTarget, format!("there is no footnote `{name}` in this chapter"), range);
             self.diagnostics.push(error.help(format!("define it on a line of its own: `[^{name}]: …`")));
         }
     }
@@ -146,7 +149,11 @@ fn citation(inside: &str, place: impl Fn(Range<usize>) -> Range<usize>) -> Optio
         if key.is_empty() || reference(key) == Some(key) || key.contains(char::is_whitespace) {
             return None;
         }
-        cited.push(Cited { key: key.to_owned(), locator: locator.trim().to_owned(), range: place(at..at + 1 + key.len()) });
+        cited.push(Cited {
+            key: key.to_owned(),
+            locator: locator.trim().to_owned(),
+            range: place(at..at + 1 + key.len()),
+        });
         start += part.len() + 1;
     }
     Some(cited)

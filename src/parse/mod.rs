@@ -81,5 +81,11 @@ fn chapter(
     let (events, front) = events::split_front_matter(&source.text);
     let front = front_matter::read(front, source, diagnostics);
     let content = events::read(events, source, configuration.allow_html, workspace, diagnostics);
-    Chapter { file: Arc::clone(&source.path), slug: if slug.is_empty() { stem.clone() } else { slug }, stem, front, content }
+    Chapter {
+        file: Arc::clone(&source.path),
+        slug: if slug.is_empty() { stem.clone() } else { slug },
+        stem,
+        front,
+        content,
+    }
 }

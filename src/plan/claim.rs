@@ -74,7 +74,11 @@ fn flatten(table: &DeTable<'_>, prefix: &str, complaints: &mut Vec<Complaint>, c
                 let bounds = read_bounds(&mut fields, key.span());
                 fields.finish(KEYS);
                 complaints.append(&mut fields.complaints);
-                claims.push(Claim { value: name, bounds, range: key.span().start..value.span().end.max(key.span().end) });
+                claims.push(Claim {
+                    value: name,
+                    bounds,
+                    range: key.span().start..value.span().end.max(key.span().end),
+                });
             }
             DeValue::Table(inner) if !inner.is_empty() => flatten(inner, &format!("{name}."), complaints, claims),
             _ => complaints.push(shapeless(&name, value.span())),
@@ -84,7 +88,9 @@ fn flatten(table: &DeTable<'_>, prefix: &str, complaints: &mut Vec<Complaint>, c
 
 fn shapeless(name: &str, range: Range<usize>) -> Complaint {
     Complaint::new(Code::BadClaim, range, format!("the claim of `{name}` says nothing that can be verified"))
-        .help("write `{ near = x, within = y }`, `{ below = x }`, `{ above = x }`, `{ equals = x }`, `{ holds = true }`")
+        .help(
+            "write `{ near = x, within = y }`, `{ below = x }`, `{ above = x }`, `{ equals = x }`, `{ holds = true }`",
+        )
         .help("or `{ agrees = \"exact\", within = 4 }`: within 4 standard errors of another value")
 }
 
@@ -93,14 +99,19 @@ fn read_bounds(fields: &mut Fields<'_>, key: Range<usize>) -> Vec<Bound> {
     let within = fields.read::<f64>("within");
     if within.is_some_and(|within| within < 0.0) {
         let place = fields.place("within");
-        fields.complaints.push(Complaint::new(Code::OutOfRange, place, "`within` is a distance: it cannot be negative"));
+        fields.complaints.push(Complaint::new(
+            Code::OutOfRange,
+            place,
+            "`within` is a distance: it cannot be negative",
+        ));
     }
     if let Some(target) = fields.read::<f64>("near") {
         match within {
             Some(within) => bounds.push(Bound::Near { target, within }),
             None => fields.complaints.push(
-                Complaint::new(Code::BadClaim, fields.place("near"), "`near` needs `within`: how near?")
-                    .help("write `{ near = x, within = y }` with a tolerance that theory or a standard error justifies"),
+                Complaint::new(Code::BadClaim, fields.place("near"), "`near` needs `within`: how near?").help(
+                    "write `{ near = x, within = y }` with a tolerance that theory or a standard error justifies",
+                ),
             ),
         }
     }

@@ -140,7 +140,9 @@ fn read_head(fields: &mut Fields<'_>) -> Head {
     if alt.as_ref().is_some_and(|alt| alt.trim().is_empty()) {
         let place = fields.place("alt");
         let complaint = Complaint::new(Code::MissingAlt, place, "the alternative text is empty");
-        fields.complaints.push(complaint.help("say what the exhibit shows, or remove the key to have it derived from the data"));
+        fields
+            .complaints
+            .push(complaint.help("say what the exhibit shows, or remove the key to have it derived from the data"));
     }
     Head { id, caption: Quoted::read(fields, "caption"), alt, seed: fields.read::<usize>("seed") }
 }
@@ -149,7 +151,8 @@ fn read_head(fields: &mut Fields<'_>) -> Head {
 pub(super) fn bad_id(id: &str, prefixes: &[&str], range: std::ops::Range<usize>) -> Option<Complaint> {
     let ends = prefixes.iter().map(|prefix| format!("`{prefix}-`")).collect::<Vec<_>>().join(" or ");
     let plain = |name: &str| {
-        !name.is_empty() && !name.ends_with('-')
+        !name.is_empty()
+            && !name.ends_with('-')
             && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-')
     };
     match id.split_once('-') {
@@ -174,8 +177,11 @@ fn read_kind(fields: &mut Fields<'_>) -> Option<&'static dyn AnyKind> {
     let found = KINDS.iter().copied().find(|kind| kind.about().key == written);
     if found.is_none() {
         let near = nearest(&written, keys()).map(|near| format!("did you mean `{near}`?"));
-        let complaint = Complaint::new(Code::UnknownName, fields.place("kind"), format!("there is no kind `{written}`"));
-        fields.complaints.push(complaint.help_if(near).help(format!("kinds are {}", keys().collect::<Vec<_>>().join(", "))));
+        let complaint =
+            Complaint::new(Code::UnknownName, fields.place("kind"), format!("there is no kind `{written}`"));
+        fields
+            .complaints
+            .push(complaint.help_if(near).help(format!("kinds are {}", keys().collect::<Vec<_>>().join(", "))));
     }
     found
 }

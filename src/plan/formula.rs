@@ -49,7 +49,11 @@ impl Converter {
 fn within(tex: &str, range: &Range<usize>) -> Range<usize> {
     let start = tex.floor_char_boundary(range.start.min(tex.len()));
     let end = tex.ceil_char_boundary(range.end.clamp(start, tex.len()));
-    if start == end && !tex.is_empty() { tex.floor_char_boundary(start.min(tex.len() - 1))..tex.len().min(start + 1) } else { start..end }
+    if start == end && !tex.is_empty() {
+        tex.floor_char_boundary(start.min(tex.len() - 1))..tex.len().min(start + 1)
+    } else {
+        start..end
+    }
 }
 
 #[cfg(test)]

@@ -117,7 +117,16 @@ impl Labels {
 pub(super) fn number(course: &Course, plan: &Plan, diagnostics: &mut Vec<Diagnostic>) -> Labels {
     let mut labels = Labels::default();
     for (index, chapter) in course.chapters.iter().enumerate() {
-        let mut numbering = Numbering { chapter, index, plan, labels: &mut labels, diagnostics, counts: BTreeMap::new(), section: [0; 6], sections: Vec::new() };
+        let mut numbering = Numbering {
+            chapter,
+            index,
+            plan,
+            labels: &mut labels,
+            diagnostics,
+            counts: BTreeMap::new(),
+            section: [0; 6],
+            sections: Vec::new(),
+        };
         numbering.run();
         let sections = numbering.sections;
         labels.sections.push(sections);
@@ -164,8 +173,18 @@ impl Numbering<'_> {
     fn define(&mut self, id: &str, kind: LabelKind, number: String, place: Place) {
         if let Some(before) = self.labels.targets.get(id) {
             let message = format!("the id `{id}` is used twice");
-            let first = format!("it is already the id of {} {} in {}", kind_word(before.kind), before.number, before.place.file);
-            self.diagnostics.push(Diagnostic::error(Code::DuplicateId, message).at_place(&place).help(first).help("give one of them another id"));
+            let first = format!(
+                "it is already the id of {} {} in {}",
+                kind_word(before.kind),
+                before.number,
+                before.place.file
+            );
+            self.diagnostics.push(
+                Diagnostic::error(Code::DuplicateId, message)
+                    .at_place(&place)
+                    .help(first)
+                    .help("give one of them another id"),
+            );
             return;
         }
         self.labels.targets.insert(id.to_owned(), Target { kind, number, chapter: self.index, place });
@@ -235,8 +254,15 @@ impl Numbering<'_> {
             CalloutKind::Definition => LabelKind::Definition,
             _ => {
                 if let Some(label) = label {
-                    let error = Diagnostic::error(Code::BadId, format!("a callout `[!{}]` has no number to refer to", kind.name()));
-                    self.diagnostics.push(error.at(&self.chapter.file, label.range.clone()).help("only definitions and exercises have labels"));
+                    let error = Diagnostic::error(
+                        Code::BadId,
+                        format!("a callout `[!{}]` has no number to refer to", kind.name()),
+                    );
+                    self.diagnostics.push(
+                        error
+                            .at(&self.chapter.file, label.range.clone())
+                            .help("only definitions and exercises have labels"),
+                    );
                 }
                 return;
             }
@@ -255,7 +281,8 @@ impl Numbering<'_> {
     fn labelled(&mut self, label: &Label, prefix: &str, kind: LabelKind, number: String, at: usize) {
         let place = self.place(label.range.clone());
         if !label.id.strip_prefix(prefix).is_some_and(|rest| rest.starts_with('-') && rest.len() > 1) {
-            let error = Diagnostic::error(Code::BadId, format!("the id of {} begins with `{prefix}-`", kind_word(kind)));
+            let error =
+                Diagnostic::error(Code::BadId, format!("the id of {} begins with `{prefix}-`", kind_word(kind)));
             return self.diagnostics.push(error.at_place(&place));
         }
         self.define(&label.id, kind, number.clone(), place);

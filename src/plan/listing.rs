@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use toml::de::DeTable;
 
-use super::exhibit::{Quoted, bad_id, tell};
 use super::Reading;
+use super::exhibit::{Quoted, bad_id, tell};
+use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic, Place};
 use crate::parameters::{Complaint, Fields, Parameters, parameters};
 use crate::parse::{self, Fence, Node};
-use crate::catalogue::nearest;
 use crate::sources;
 use crate::workspace::CHAPTERS;
 
@@ -103,9 +103,16 @@ fn find_code(written: &Written, reading: &Reading<'_>, fields: &mut Fields<'_>) 
         (Some(item), None) => {
             let found = sources::item(item);
             if found.is_none() {
-                let complaint = Complaint::new(Code::UnknownItem, fields.place("item"), format!("the library has no item `{item}`"));
+                let complaint = Complaint::new(
+                    Code::UnknownItem,
+                    fields.place("item"),
+                    format!("the library has no item `{item}`"),
+                );
                 let complaint = complaint
-                    .help_if(nearest(item, sources::items().iter().map(String::as_str)).map(|near| format!("did you mean `{near}`?")))
+                    .help_if(
+                        nearest(item, sources::items().iter().map(String::as_str))
+                            .map(|near| format!("did you mean `{near}`?")),
+                    )
                     .help("name it by its path below the crate, e.g. `samplers::halton::radical_inverse`");
                 fields.complaints.push(complaint);
             }
@@ -115,7 +122,8 @@ fn find_code(written: &Written, reading: &Reading<'_>, fields: &mut Fields<'_>) 
             let path = format!("{CHAPTERS}/{file}");
             let found = reading.workspace.text(&path);
             if found.is_none() {
-                let complaint = Complaint::new(Code::MissingInclude, fields.place("file"), format!("there is no file `{path}`"));
+                let complaint =
+                    Complaint::new(Code::MissingInclude, fields.place("file"), format!("there is no file `{path}`"));
                 fields.complaints.push(complaint.help(format!("paths start at `{CHAPTERS}/`")));
             }
             let language = file.rsplit_once('.').map_or("text", |(_, extension)| extension).to_owned();
@@ -124,7 +132,9 @@ fn find_code(written: &Written, reading: &Reading<'_>, fields: &mut Fields<'_>) 
         _ => {
             let place = fields.place("id");
             let complaint = Complaint::new(Code::MissingKey, place, "a listing shows either an item or a file");
-            fields.complaints.push(complaint.help("write `item = \"samplers::halton::radical_inverse\"`, or `file = \"code/halton.c\"`"));
+            fields.complaints.push(
+                complaint.help("write `item = \"samplers::halton::radical_inverse\"`, or `file = \"code/halton.c\"`"),
+            );
             None
         }
     }

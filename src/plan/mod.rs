@@ -20,10 +20,10 @@ use crate::parse::{Chapter, Course, Node};
 use crate::workspace::Workspace;
 
 pub use bibliography::Bibliography;
-pub use format::Format;
-pub use formula::Converter;
-pub(crate) use format::{escape, minus};
 pub use claim::{Bound, Claim, Literal};
+pub use format::Format;
+pub(crate) use format::{escape, minus};
+pub use formula::Converter;
 pub use labels::{LabelKind, Labels, Section, Target};
 pub use listing::Listing;
 

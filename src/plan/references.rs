@@ -67,7 +67,8 @@ impl Checking<'_> {
 
     fn citation(&mut self, cited: &Cited) {
         if !self.plan.bibliography.contains(&cited.key) {
-            let near = nearest(&cited.key, self.plan.bibliography.keys()).map(|near| format!("did you mean `@{near}`?"));
+            let near =
+                nearest(&cited.key, self.plan.bibliography.keys()).map(|near| format!("did you mean `@{near}`?"));
             let message = format!("the bibliography has no work `{}`", cited.key);
             self.tell(Code::UnknownCitation, message, &cited.range, near);
         }
@@ -91,7 +92,12 @@ impl Checking<'_> {
             Ok(_) => {}
             Err(BadLink::Scheme) => {
                 let help = "links are of the kinds `http`, `https` and `mailto`, or lead to a place in the book";
-                self.tell(Code::Markup, format!("`{url}` is of a kind that a page must not hold"), range, [help.to_owned()]);
+                self.tell(
+                    Code::Markup,
+                    format!("`{url}` is of a kind that a page must not hold"),
+                    range,
+                    [help.to_owned()],
+                );
             }
             Err(BadLink::NoChapter) => {
                 let stems = self.course.chapters.iter().map(|chapter| chapter.stem.as_str());

@@ -25,7 +25,12 @@ pub(super) struct Citations {
 
 impl Citations {
     /// Formats the works that the course cites.
-    pub(super) fn format(course: &Course, plan: &Plan, workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> Self {
+    pub(super) fn format(
+        course: &Course,
+        plan: &Plan,
+        workspace: &Workspace,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Self {
         let cited = cited(course, plan);
         let entries: Vec<&Entry> = cited.iter().filter_map(|key| plan.bibliography.get(key)).collect();
         let (style, locale) = (template(STYLE, workspace), template(LOCALE, workspace));
@@ -95,8 +100,14 @@ fn cited(course: &Course, plan: &Plan) -> Vec<String> {
     let mut keys = Vec::new();
     for (index, chapter) in course.chapters.iter().enumerate() {
         gather(&chapter.content.nodes, &mut keys);
-        plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index).for_each(|exhibit| gather(&exhibit.caption, &mut keys));
-        plan.listings.iter().filter(|listing| listing.chapter == index).for_each(|listing| gather(&listing.caption, &mut keys));
+        plan.exhibits
+            .iter()
+            .filter(|exhibit| exhibit.chapter == index)
+            .for_each(|exhibit| gather(&exhibit.caption, &mut keys));
+        plan.listings
+            .iter()
+            .filter(|listing| listing.chapter == index)
+            .for_each(|listing| gather(&listing.caption, &mut keys));
     }
     keys
 }

@@ -104,11 +104,20 @@ pub(super) fn listing(rendering: &Rendering<'_>, listing: &Listing) -> (String, 
 
 /// What a reader calls the thing with this id, e.g. `Figure 2.3`.
 fn label(rendering: &Rendering<'_>, id: &str) -> String {
-    rendering.plan.labels.target(id).map_or_else(String::new, |target| format!("{} {}", target.kind.word(), target.number))
+    rendering
+        .plan
+        .labels
+        .target(id)
+        .map_or_else(String::new, |target| format!("{} {}", target.kind.word(), target.number))
 }
 
 fn claim(verdict: &Verdict) -> ClaimContext {
-    let statement = format!("<code>{}</code> = {} <span class=\"bound\">(claimed: {})</span>", escape(&verdict.value), verdict.measured_html(), verdict.bound_html());
+    let statement = format!(
+        "<code>{}</code> = {} <span class=\"bound\">(claimed: {})</span>",
+        escape(&verdict.value),
+        verdict.measured_html(),
+        verdict.bound_html()
+    );
     ClaimContext { statement, holds: verdict.holds }
 }
 
@@ -116,9 +125,11 @@ fn parameters(exhibit: &Exhibit) -> Vec<ParameterContext> {
     let serde_json::Value::Object(parameters) = exhibit.experiment.parameters() else { return Vec::new() };
     let text = |value: &serde_json::Value| match value {
         serde_json::Value::String(text) => text.clone(),
-        serde_json::Value::Array(items) => {
-            items.iter().map(|item| item.as_str().map_or_else(|| item.to_string(), str::to_owned)).collect::<Vec<_>>().join(", ")
-        }
+        serde_json::Value::Array(items) => items
+            .iter()
+            .map(|item| item.as_str().map_or_else(|| item.to_string(), str::to_owned))
+            .collect::<Vec<_>>()
+            .join(", "),
         other => other.to_string(),
     };
     parameters

@@ -44,7 +44,9 @@ fn exhibit(rendering: &Rendering<'_>, index: usize) -> Json {
 /// A value as JSON; what JSON's numbers cannot hold is written as text.
 pub(crate) fn number(measured: &Measured) -> Json {
     match &measured.value {
-        Value::Number(number) => serde_json::Number::from_f64(*number).map_or_else(|| json!(number.to_string()), Json::Number),
+        Value::Number(number) => {
+            serde_json::Number::from_f64(*number).map_or_else(|| json!(number.to_string()), Json::Number)
+        }
         Value::Integer(integer) => json!(integer),
         Value::Boolean(truth) => json!(truth),
         Value::Text(text) => json!(text),

@@ -197,7 +197,11 @@ impl<'a> Writer<'a> {
         let at = self.at.unwrap_or_default();
         let sections = self.rendering.plan.labels.sections(self.chapter);
         if let Some(section) = sections.iter().find(|section| section.title.end == at) {
-            let _ = write!(self.out, " <a class=\"permalink\" href=\"#{}\" aria-label=\"Link to section {}\">#</a>", section.id, section.number);
+            let _ = write!(
+                self.out,
+                " <a class=\"permalink\" href=\"#{}\" aria-label=\"Link to section {}\">#</a>",
+                section.id, section.number
+            );
         }
         let _ = write!(self.out, "</{level}>\n");
     }
@@ -286,18 +290,29 @@ impl<'a> Writer<'a> {
 
     fn callout(&mut self, callout: &Callout) {
         let kind = callout.kind;
-        let anchor = self.at.and_then(|at| self.rendering.plan.labels.anchor(self.chapter, at)).filter(|_| kind.prefix().is_some());
-        let label = anchor.map_or_else(|| kind.title().to_owned(), |anchor| format!("{} {}", kind.title(), anchor.number));
+        let anchor = self
+            .at
+            .and_then(|at| self.rendering.plan.labels.anchor(self.chapter, at))
+            .filter(|_| kind.prefix().is_some());
+        let label =
+            anchor.map_or_else(|| kind.title().to_owned(), |anchor| format!("{} {}", kind.title(), anchor.number));
         let title = Writer { at: None, ..Writer::new(self.rendering, self.chapter) };
         let (title, diagnostics) = title.inline(&callout.title);
         self.diagnostics.extend(diagnostics);
-        let title = if title.is_empty() { String::new() } else { format!(" <span class=\"callout-name\">{title}</span>") };
+        let title =
+            if title.is_empty() { String::new() } else { format!(" <span class=\"callout-name\">{title}</span>") };
         let head = format!("<span class=\"callout-label\">{label}</span>{title}");
         let class = format!("callout callout-{}", kind.name().to_lowercase());
         let _ = match (kind, anchor) {
             (kind, _) if kind.folded() => write!(self.out, "<details class=\"{class}\"><summary>{head}</summary>\n"),
-            (_, Some(anchor)) => write!(self.out, "<section class=\"{class}\" id=\"{}\"><p class=\"callout-title\">{head}</p>\n", anchor.id),
-            (CalloutKind::Definition | CalloutKind::Exercise, None) => write!(self.out, "<section class=\"{class}\"><p class=\"callout-title\">{head}</p>\n"),
+            (_, Some(anchor)) => write!(
+                self.out,
+                "<section class=\"{class}\" id=\"{}\"><p class=\"callout-title\">{head}</p>\n",
+                anchor.id
+            ),
+            (CalloutKind::Definition | CalloutKind::Exercise, None) => {
+                write!(self.out, "<section class=\"{class}\"><p class=\"callout-title\">{head}</p>\n")
+            }
             _ => write!(self.out, "<aside class=\"{class}\"><p class=\"callout-title\">{head}</p>\n"),
         };
     }
@@ -305,7 +320,10 @@ impl<'a> Writer<'a> {
     fn footnote_reference(&mut self, name: &str) {
         let (number, count) = self.footnotes.refer(name);
         let suffix = if count > 1 { format!("-{count}") } else { String::new() };
-        let _ = write!(self.out, "<sup class=\"footnote-reference\"><a href=\"#fn-{number}\" id=\"fnref-{number}{suffix}\" aria-label=\"Footnote {number}\">{number}</a></sup>");
+        let _ = write!(
+            self.out,
+            "<sup class=\"footnote-reference\"><a href=\"#fn-{number}\" id=\"fnref-{number}{suffix}\" aria-label=\"Footnote {number}\">{number}</a></sup>"
+        );
     }
 }
 
@@ -337,7 +355,9 @@ impl Footnotes {
         let mut list = String::from("<section class=\"footnotes\" aria-label=\"Footnotes\"><ol>\n");
         for (index, name) in self.order.iter().enumerate() {
             let number = index + 1;
-            let back = format!(" <a class=\"footnote-back\" href=\"#fnref-{number}\" aria-label=\"Back to the text\">\u{21a9}\u{fe0e}</a>");
+            let back = format!(
+                " <a class=\"footnote-back\" href=\"#fnref-{number}\" aria-label=\"Back to the text\">\u{21a9}\u{fe0e}</a>"
+            );
             let text = self.texts.get(name).map(String::as_str).unwrap_or_default().trim_end();
             let text = match text.strip_suffix("</p>") {
                 Some(text) => format!("{text}{back}</p>"),

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
+use super::Rendering;
 use super::markdown::Writer;
 use super::templates::ASSETS;
-use super::Rendering;
 use crate::diag::Diagnostic;
 
 /// What every page knows of the book.

@@ -29,7 +29,8 @@ fn rows(rows: &[Vec<Cell>], table: &Table, converter: &Converter, out: &mut Stri
         out.push_str("<tr>");
         for (index, (cell, column)) in row.iter().zip(&table.columns).enumerate() {
             let (open, close) = if index < table.row_heads { ("th scope=\"row\"", "th") } else { ("td", "td") };
-            let _ = write!(out, "<{open}{}>{}</{close}>", class(column.align, cell.is_number()), content(cell, converter));
+            let _ =
+                write!(out, "<{open}{}>{}</{close}>", class(column.align, cell.is_number()), content(cell, converter));
         }
         out.push_str("</tr>\n");
     }

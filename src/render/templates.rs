@@ -71,6 +71,7 @@ impl Templates {
 }
 
 fn broken(error: &tera::Error) -> Diagnostic {
-    Diagnostic::error(Code::Template, format!("a template is broken: {error}"))
-        .help(format!("a file in `{TEMPLATES}/` stands in for the embedded one of the same name; remove it to get that back"))
+    Diagnostic::error(Code::Template, format!("a template is broken: {error}")).help(format!(
+        "a file in `{TEMPLATES}/` stands in for the embedded one of the same name; remove it to get that back"
+    ))
 }

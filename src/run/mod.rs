@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use crate::diag::{Code, Diagnostic};
 use crate::kinds::{Experiment, Failure, Outcome};
 use crate::seed::Seed;
+use crate::sources::Digest;
 
 pub mod cache;
 pub mod key;

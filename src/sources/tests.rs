@@ -147,8 +147,19 @@ fn the_compiled_sources_are_embedded() {
 
 #[test]
 fn every_part_of_the_library_is_known_to_compute_or_not() {
-    let computing =
-        ["catalogue.rs", "points.rs", "seed.rs", "samplers", "scrambles", "integrands", "metrics", "scenes", "stats", "parameters", "kinds"];
+    let computing = [
+        "catalogue.rs",
+        "points.rs",
+        "seed.rs",
+        "samplers",
+        "scrambles",
+        "integrands",
+        "metrics",
+        "scenes",
+        "stats",
+        "parameters",
+        "kinds",
+    ];
     for (file, _) in embedded::FILES.iter().filter(|(file, _)| !not_computing(file)) {
         let part = file.split('/').next().unwrap_or(file);
         assert!(computing.contains(&part), "{file}: can it change a number? Then name it here; else in NOT_COMPUTING");

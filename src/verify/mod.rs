@@ -19,9 +19,8 @@ pub fn read_lock(root: &Path) -> Result<Option<Lock>, Vec<Diagnostic>> {
     if !path.exists() {
         return Ok(None);
     }
-    let text = std::fs::read_to_string(&path).map_err(|error| {
-        vec![Diagnostic::error(Code::Lock, format!("`{}` cannot be read: {error}", lock::FILE))]
-    })?;
+    let text = std::fs::read_to_string(&path)
+        .map_err(|error| vec![Diagnostic::error(Code::Lock, format!("`{}` cannot be read: {error}", lock::FILE))])?;
     Lock::read(&text).map(Some)
 }
 

@@ -111,7 +111,10 @@ mod tests {
     #[test]
     fn links_and_ids_are_followed_across_pages() {
         let sound = messages(&[
-            ("a.html", r##"<p id="x" title="a > b"><a href="#x">x</a><a href="b.html#y">y</a><a href="https://example.org/#q">out</a>"##),
+            (
+                "a.html",
+                r##"<p id="x" title="a > b"><a href="#x">x</a><a href="b.html#y">y</a><a href="https://example.org/#q">out</a>"##,
+            ),
             ("b.html", r#"<p id="y"><img src="picture.png">"#),
             ("picture.png", ""),
         ]);

@@ -12,8 +12,8 @@ pub use problems::Problems;
 pub use values::{Measured, Value, Values};
 
 use crate::catalogue::About;
-use crate::chart::{ChartError, Sheet};
 use crate::chart::Drawing;
+use crate::chart::{ChartError, Sheet};
 use crate::parameters::{Fields, ParameterDoc, Parameters};
 use crate::seed::Seed;
 
