@@ -243,7 +243,7 @@ impl Style {
 /// The style sheet that themes the drawings in a page: light, dark by the reader's system or choice, and light in print.
 pub fn css() -> String {
     let declare = |colour: fn(Role) -> &'static str| -> String {
-        Role::all().map(|role| format!("--chart-{}:{};", role.name(), colour(role))).collect()
+        Role::all().flat_map(|role| ["--chart-", role.name(), ":", colour(role), ";"]).collect()
     };
     let (light, dark) = (declare(Role::light), declare(Role::dark));
     let mut css = format!(
@@ -253,7 +253,11 @@ pub fn css() -> String {
     );
     for role in Role::all() {
         let name = role.name();
-        css += &format!(".chart .s-{name}{{stroke:var(--chart-{name})}}.chart .f-{name}{{fill:var(--chart-{name})}}\n");
+        for part in
+            [".chart .s-", name, "{stroke:var(--chart-", name, ")}.chart .f-", name, "{fill:var(--chart-", name, ")}\n"]
+        {
+            css.push_str(part);
+        }
     }
     css += ".chart{display:block;max-width:100%;height:auto;margin-inline:auto;font-family:var(--chart-font,Helvetica,Arial,sans-serif)}\n\
             .chart .m{font-family:var(--chart-math,Georgia,\"Times New Roman\",serif)}\n\
