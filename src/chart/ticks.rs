@@ -35,11 +35,8 @@ pub(super) fn linear(low: f64, high: f64, count: usize) -> Vec<Tick> {
     // Counted in whole numbers: far from 0 a sum of floats might not move at all.
     for index in 0..=(last - first) as i64 {
         let value = (first + index as f64) * step;
-        let label = if (1e-3..1e6).contains(&largest) {
-            number::fixed(value, places).into()
-        } else {
-            power_label(value, step)
-        };
+        let label =
+            if (1e-3..1e6).contains(&largest) { number::fixed(value, places).into() } else { power_label(value, step) };
         ticks.push(Tick { at: value, label: Some(label) });
     }
     ticks
