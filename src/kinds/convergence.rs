@@ -12,8 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, mean_with_error, reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::Drawing;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::integrands::Function;
 use crate::parameters::{Counts, parameters};
 use crate::samplers::Method;
@@ -140,10 +139,21 @@ impl Kind for ConvergenceKind {
                 values.estimate(format!("mean.{name}.{n}"), mark.mean, mark.mean_error.unwrap_or(f64::NAN));
             }
             if let Some((slope, error, _)) = curve.fit {
-                values.estimate(format!("slope.{name}"), slope, error.unwrap_or(f64::NAN));
+                let error = error.unwrap_or(f64::NAN);
+                values.estimate(format!("slope.{name}"), slope, error);
+                // What four times the points divide the error by, along the fitted line.
+                let fourfold = portable::pow(4.0, -slope);
+                values.estimate(format!("fourfold.{name}"), fourfold, fourfold * portable::ln(4.0) * error);
             }
             let unresolved = curve.marks.iter().filter(|mark| !mark.resolved).count();
             values.integer(format!("unresolved.{name}"), unresolved as i64);
+        }
+        if let Some((first, others)) = data.curves.split_first()
+            && let Some(from) = first.end()
+        {
+            others.iter().filter_map(|curve| Some((curve, curve.end()?))).for_each(|(curve, to)| {
+                values.number(format!("gain.{}", curve.method), from / to);
+            });
         }
         if let Some((best, worst)) = extremes(data) {
             values.text("best", best.0);
@@ -178,6 +188,13 @@ impl Kind for ConvergenceKind {
     }
 }
 
+impl Curve {
+    /// The error at the largest count, if it is resolved.
+    fn end(&self) -> Option<f64> {
+        self.marks.last().filter(|mark| mark.resolved).map(|mark| mark.rmse)
+    }
+}
+
 /// The error of `estimates` with n points each.
 fn mark(n: usize, estimates: &[f64], exact: f64, floor: f64) -> Mark {
     let (mean, mean_error) = mean_with_error(estimates);
@@ -205,8 +222,7 @@ type Rank<'a> = (&'a str, f64);
 
 /// The sampler with the smallest error at the largest count, and the one with the largest, where both are resolved.
 fn extremes(data: &Data) -> Option<(Rank<'_>, Rank<'_>)> {
-    let last = |curve: &'_ Curve| curve.marks.last().filter(|mark| mark.resolved).map(|mark| mark.rmse);
-    let ends = || data.curves.iter().filter_map(|curve| Some((curve.method.as_str(), last(curve)?)));
+    let ends = || data.curves.iter().filter_map(|curve| Some((curve.method.as_str(), curve.end()?)));
     let best = ends().min_by(|a, b| a.1.total_cmp(&b.1))?;
     let worst = ends().max_by(|a, b| a.1.total_cmp(&b.1))?;
     (best.0 != worst.0).then_some((best, worst))
@@ -218,9 +234,8 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Convergence, Curve, Data, extremes};
-    use crate::chart::Drawing;
     use crate::chart::number::{fixed, integer, significant};
-    use crate::chart::{Axis, Chart, ChartError, Line, Panel, Sheet, Style};
+    use crate::chart::{Axis, Chart, ChartError, Drawing, Line, Panel, Sheet, Style};
 
     pub(super) fn draw(p: &Convergence, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let title = if data.curves.iter().all(|curve| curve.replicates == 1) { "absolute error" } else { "RMSE" };

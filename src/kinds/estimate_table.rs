@@ -10,8 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::Drawing;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::integrands::Function;
 use crate::parameters::{Counts, parameters};
 use crate::samplers::Method;
@@ -212,11 +211,11 @@ mod drawing {
         let told = |row: &Row| {
             let estimate = fixed(row.estimate, places_of(row, data));
             let error = fixed(row.error(data), places_of(row, data));
-            format!("{estimate} with {} (error {error})", integer(row.n as i64))
+            format!("{estimate} with N = {} (error {error})", integer(row.n as i64))
         };
         let mut text = format!("Estimates of the integral of {}, exactly {exact}: {}", p.integrand.text(), told(first));
         if data.rows.len() > 1 {
-            let _ = write!(text, ", and over {} rows down to {}", data.rows.len(), told(last));
+            let _ = write!(text, ", and in {} rows down to {}", data.rows.len(), told(last));
         }
         let largest = data.rows.iter().filter_map(|row| row.z(data)).map(f64::abs).max_by(f64::total_cmp);
         if let Some(largest) = largest {

@@ -5,8 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::estimation::undefined;
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::Drawing;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
 use crate::integrands::Function as Integrand;
 use crate::parameters::parameters;
@@ -150,7 +149,9 @@ fn spread(f: &Integrand, p: &Function, mean: f64) -> Option<f64> {
 fn extreme(p: &Function, heights: &[f64], sign: f64) -> (f64, f64) {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let height = |x: f64| sign * p.integrand.evaluate(&[x]);
-    let best = (0..heights.len()).max_by(|a, b| (sign * heights[*a]).total_cmp(&(sign * heights[*b]))).unwrap_or(0);
+    // The first of equals: where a plateau begins.
+    let better = |a: &usize, b: &usize| (sign * heights[*a]).total_cmp(&(sign * heights[*b])).then(b.cmp(a));
+    let best = (0..heights.len()).max_by(better).unwrap_or(0);
     let mut top = (at(p, best), sign * heights.get(best).copied().unwrap_or(f64::NAN));
     let (mut low, mut high) = (at(p, best.saturating_sub(1)), at(p, best + 1));
     for _ in 0..60 {
@@ -176,9 +177,8 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Data, Function, at};
-    use crate::chart::Drawing;
     use crate::chart::number::significant;
-    use crate::chart::{Area, Axis, Chart, ChartError, Line, Panel, Role, Rule, Sheet, Style};
+    use crate::chart::{Area, Axis, Chart, ChartError, Corner, Drawing, Line, Note, Panel, Role, Rule, Sheet, Style};
 
     pub(super) fn draw(p: &Function, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let curve: Vec<(f64, f64)> =
@@ -189,19 +189,35 @@ mod drawing {
         }
         if let Some((integral, _)) = data.integral.filter(|_| p.mean) {
             let mean = integral / (p.to - p.from);
-            panel = panel.with(Rule::horizontal(mean).label(format!("mean {}", significant(mean, 4))));
+            panel = panel.with(Rule::horizontal(mean)).with(label(p, data, mean));
         }
         let panel = panel.with(Line::new(curve).style(Style::new(Role::Accent)));
         Ok(Chart::new(panel).draw(sheet)?.into())
     }
 
+    /// The name of the mean height, at the end where the curve is farther from it.
+    fn label(p: &Function, data: &Data, mean: f64) -> Note {
+        let apart = |height: Option<&f64>| height.map_or(0.0, |height| (height - mean).abs());
+        let left = apart(data.heights.first()) >= apart(data.heights.last());
+        let (x, corner) = if left { (p.from, Corner::AboveRight) } else { (p.to, Corner::AboveLeft) };
+        Note::new((x, mean), format!("mean {}", significant(mean, 4))).corner(corner)
+    }
+
+    /// A number in at most four digits, without the zeros at its end.
+    fn say(value: f64) -> String {
+        let text = significant(value, 4);
+        if !text.contains('.') || text.contains('×') {
+            return text;
+        }
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    }
+
     pub(super) fn alt(p: &Function, data: &Data) -> String {
-        let say = |value: f64| significant(value, 4);
         let mut text = format!(
-            "The curve of {} from x = {} to {}: between {} (at {}) and {} (at {})",
+            "The curve of {} from x = {} to {}: between {} (at x = {}) and {} (at x = {})",
             p.integrand.text(),
-            say(p.from),
-            say(p.to),
+            p.from,
+            p.to,
             say(data.minimum.1),
             say(data.minimum.0),
             say(data.maximum.1),
@@ -210,7 +226,7 @@ mod drawing {
         if let Some((integral, _)) = data.integral {
             let _ = write!(
                 text,
-                ", with {} below it and the mean height {}",
+                ", with an area of {} below it and the mean height {}",
                 say(integral),
                 say(integral / (p.to - p.from))
             );

@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, mean_with_error, reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::Drawing;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
 use crate::integrands::Function;
 use crate::parameters::{Counts, choices, parameters};
@@ -235,9 +234,8 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Axes, Data, Distribution, Histogram};
-    use crate::chart::Drawing;
     use crate::chart::number::{fixed, integer, significant};
-    use crate::chart::{Axis, Bars, Chart, ChartError, Key, Line, Panel, Rule, Sheet, Style};
+    use crate::chart::{Axis, Bars, Chart, ChartError, Drawing, Key, Line, Panel, Sheet, Style};
     use crate::stats::normal;
 
     /// Of how many pieces the normal curve is drawn.
@@ -252,17 +250,24 @@ mod drawing {
     fn panel(data: &Data, one: &Distribution, p: &Histogram) -> Panel {
         let total = one.total().max(1) as f64;
         let edges: Vec<f64> = (0..=one.counts.len()).map(|bin| one.edge(bin)).collect();
+        let curve = curve(data, one);
         let width = (one.to - one.from) / one.counts.len().max(1) as f64;
-        let heights = one.counts.iter().map(|&count| count as f64 / total / width).collect();
+        let heights: Vec<f64> = one.counts.iter().map(|&count| count as f64 / total / width).collect();
         let style = Style::of(&p.sampler.name());
+        let tallest = highest(&heights).max(highest(&curve.iter().map(|(_, height)| *height).collect::<Vec<_>>()));
+        let exact = Line::new(vec![(data.exact, 0.0), (data.exact, tallest)]).style(Style::EXACT).label("exact");
         let x = Axis::linear("estimate");
         let x = if p.axes == Axes::Shared { x.range(one.from, one.to) } else { x };
         Panel::new(x, Axis::linear("density").include(0.0))
             .title(format!("*N* = {}", integer(one.n as i64)))
             .ratio(0.62)
             .with(Bars::new(edges, heights).style(style).label("estimates"))
-            .with(Line::new(curve(data, one)).style(Style::THEORY).label("normal density"))
-            .with(Rule::vertical(data.exact).label("exact"))
+            .with(Line::new(curve).style(Style::THEORY).label("normal density"))
+            .with(exact)
+    }
+
+    fn highest(heights: &[f64]) -> f64 {
+        heights.iter().copied().fold(0.0, f64::max)
     }
 
     /// The normal density across the bins, with the predicted deviation where there is one.
@@ -274,11 +279,11 @@ mod drawing {
 
     pub(super) fn alt(p: &Histogram, data: &Data) -> String {
         let mut text = format!(
-            "Histograms of {} estimates of the integral of {} with {} samples, exactly {}.",
+            "Histograms of {} estimates of the integral of {}, exactly {}. Sampler: {}.",
             integer(p.replicates as i64),
             p.integrand.text(),
-            p.sampler.title(),
             significant(data.exact, 5),
+            p.sampler.title(),
         );
         for one in &data.panels {
             let _ = write!(
@@ -291,7 +296,7 @@ mod drawing {
             if let Some(predicted) = one.predicted {
                 let _ = write!(text, " (predicted {})", significant(predicted, 3));
             }
-            let _ = write!(text, ", {} per cent within two of the integral.", fixed(100.0 * one.within, 1));
+            let _ = write!(text, ", {} per cent within two deviations of the integral.", fixed(100.0 * one.within, 1));
         }
         text
     }

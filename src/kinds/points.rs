@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::Drawing;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
 use crate::parameters::{choices, parameters};
 use crate::points::Points as Placed;
@@ -222,9 +221,8 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Data, Points, Set, Strata, side};
-    use crate::chart::Drawing;
     use crate::chart::number::{integer, significant};
-    use crate::chart::{self, Axis, Chart, ChartError, Key, Marks, Panel, Sheet, Style};
+    use crate::chart::{self, Axis, Chart, ChartError, Drawing, Key, Marks, Panel, Role, Rule, Sheet, Style};
 
     pub(super) fn draw(p: &Points, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let panels = data.sets.iter().map(|set| panel(p, set, data.sets.len() > 1)).collect();
@@ -236,7 +234,8 @@ mod drawing {
     fn panel(p: &Points, set: &Set, titled: bool) -> Panel {
         let place = |row: &[f64]| (row.first().copied().unwrap_or(0.0), row.get(1).copied().unwrap_or(0.5));
         let points: Vec<(f64, f64)> = set.coordinates.chunks_exact(p.dimensions).map(place).collect();
-        let mut marks = Marks::new(points).style(Style::of(&set.method));
+        let marks = Marks::new(points).style(Style::of(&set.method));
+        let mut marks = if p.dimensions == 1 && p.n <= 64 { marks.size(8.0) } else { marks };
         if p.labels {
             marks = marks.names((0..p.n).map(|index| index.to_string()));
         }
@@ -248,7 +247,11 @@ mod drawing {
 
     /// The unit interval, as a panel of little height.
     fn line() -> Panel {
-        Panel::new(Axis::linear("").range(0.0, 1.0), Axis::linear("").range(0.0, 1.0).hidden()).ratio(0.08)
+        let ticks = [(0.0, "0"), (0.25, "1/4"), (0.5, "1/2"), (0.75, "3/4"), (1.0, "1")];
+        let ticks = ticks.into_iter().map(|(at, label)| (at, label.into())).collect();
+        // A little room at the ends, for the mark at 0 and its label.
+        let along = Axis::linear("").range(-0.03, 1.03).ticks_at(ticks);
+        Panel::new(along, Axis::linear("").range(0.0, 1.0).hidden()).ratio(0.1)
     }
 
     /// The panel with the strata that are asked for drawn, and every stratum kept as written.
@@ -257,6 +260,10 @@ mod drawing {
         let cells = side(p).map(|side| chart::Strata::boxes(side as u32, if line { 1 } else { side as u32 }));
         let slabs = if line { chart::Strata::boxes(p.n as u32, 1) } else { chart::Strata::slabs(p.n as u32) };
         let panel = panel.keeping(slabs);
+        if line && p.strata != Strata::None {
+            let border = |slab: usize| Rule::vertical(slab as f64 / p.n as f64).style(Style::new(Role::Strata));
+            return panel.with_all((0..=p.n).map(border));
+        }
         match (p.strata, cells) {
             (Strata::Cells, Some(cells)) => panel.strata(cells),
             (Strata::Slabs, cells) => cells.into_iter().fold(panel.strata(slabs), Panel::keeping),
@@ -270,12 +277,13 @@ mod drawing {
         let mut text = format!("{} point{s} {place}", integer(p.n as i64));
         text.push_str(match p.strata {
             Strata::None => ".",
+            _ if p.dimensions == 1 => ", with as many slabs.",
             Strata::Cells => ", with the grid of as many equal cells.",
             Strata::Slabs => ", with as many slabs along each axis.",
         });
         for set in &data.sets {
             let _ = write!(text, " {}:", set.title);
-            if let Some((fullest, empty)) = set.cells {
+            if let Some((fullest, empty)) = set.cells.filter(|_| p.dimensions > 1) {
                 match fullest {
                     1 => text.push_str(" one point in every cell;"),
                     _ => text += format!(" up to {fullest} points in a cell, {empty} cells empty;").as_str(),
@@ -286,7 +294,7 @@ mod drawing {
                 fullest => text += format!(" up to {fullest} points in a slab").as_str(),
             }
             if let Some(distance) = set.distance {
-                let _ = write!(text, "; the closest two are {} apart", significant(distance, 2));
+                let _ = write!(text, "; the closest two are {} apart", significant(distance, 3));
             }
             text.push('.');
         }

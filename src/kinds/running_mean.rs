@@ -9,8 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{Study, check_dimensions, dimensions, reference, replicates_of};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::Drawing;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
 use crate::integrands::Function;
 use crate::parameters::parameters;
@@ -206,9 +205,8 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{BAND, Data, RunningMean, Runs};
-    use crate::chart::Drawing;
     use crate::chart::number::{fixed, integer, significant};
-    use crate::chart::{Axis, Band, Chart, ChartError, Line, Panel, Rich, Rule, Sheet, Style};
+    use crate::chart::{Axis, Band, Chart, ChartError, Dash, Drawing, Line, Panel, Rich, Sheet, Style};
 
     pub(super) fn draw(_: &RunningMean, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let several = data.methods.len() > 1;
@@ -228,12 +226,16 @@ mod drawing {
             let edge = |k: f64| (k, data.exact - BAND * sigma / k.sqrt(), data.exact + BAND * sigma / k.sqrt());
             panel = panel.with(Band::new(data.marks.iter().map(|&k| edge(k as f64)).collect()).label("±2*σ*/√*N*"));
         }
-        let style = Style::of(&runs.method);
+        let ends = vec![(1.0, data.exact), (data.marks.last().map_or(2.0, |&k| k as f64), data.exact)];
+        let exact = Line::new(ends).style(Style::EXACT).label("exact");
+        // Many broken lines would be a fog: runs keep the sampler's colour, and are whole.
+        let style = Style::of(&runs.method).dash(Dash::Solid);
         let line = |means: &Vec<f64>| {
             let points = data.marks.iter().zip(means).map(|(&k, &mean)| (k as f64, mean)).collect();
-            Line::new(points).style(style).faint()
+            let line = Line::new(points).style(style);
+            if runs.means.len() > 3 { line.faint() } else { line }
         };
-        panel.with_all(runs.means.iter().map(line)).with(Rule::horizontal(data.exact).label("exact"))
+        panel.with_all(runs.means.iter().map(line)).with(exact)
     }
 
     /// The heights to show: all of the means and, from a few samples on, all of the band.

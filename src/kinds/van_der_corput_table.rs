@@ -7,8 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
-use crate::chart::Drawing;
-use crate::chart::{ChartError, Sheet};
+use crate::chart::{ChartError, Drawing, Sheet};
 use crate::parameters::parameters;
 use crate::samplers::{Method, halton, van_der_corput};
 use crate::seed::Seed;
