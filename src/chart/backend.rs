@@ -30,17 +30,17 @@ impl<'a> Backend<'a> {
     }
 
     /// Writes a path's data as a stroked path.
-    pub fn stroke(&mut self, data: &str, ink: &Ink) -> Drawn {
+    pub fn stroke(&mut self, data: &str, ink: Ink) -> Drawn {
         let Ink { role, dash, width, opacity } = ink;
         let out = &mut *self.out;
         write!(out, "<path class=\"s-{}\" stroke=\"{}\" stroke-width=\"", role.name(), role.light()).map_err(wrong)?;
-        hundredths(*width as i32, out);
+        hundredths(width as i32, out);
         out.push('"');
-        if *dash != Dash::Solid {
+        if dash != Dash::Solid {
             write!(out, " stroke-dasharray=\"{}\"", dash.lengths()).map_err(wrong)?;
         }
-        if *opacity < 100 {
-            write!(out, " stroke-opacity=\"{}\"", f64::from(*opacity) / 100.0).map_err(wrong)?;
+        if opacity < 100 {
+            write!(out, " stroke-opacity=\"{}\"", f64::from(opacity) / 100.0).map_err(wrong)?;
         }
         writeln!(out, " d=\"{data}\"/>").map_err(wrong)
     }
@@ -150,7 +150,9 @@ pub(super) fn open(sheet: &Sheet, height: i32, out: &mut String) {
     size(out, " ");
     out.push_str("\" width=\"");
     size(out, "\" height=\"");
-    *out += &format!(
+    // Writing to a string cannot fail.
+    let _ = write!(
+        out,
         "\" aria-labelledby=\"{id}-title {id}-desc\" font-family=\"Helvetica,Arial,sans-serif\" font-size=\"{SIZE}\" \
          fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n\
          <title id=\"{id}-title\">{title}</title>\n<desc id=\"{id}-desc\">{description}</desc>\n"
@@ -175,7 +177,7 @@ impl DrawingBackend for Backend<'_> {
     fn draw_pixel(&mut self, point: BackendCoord, color: BackendColor) -> Drawn {
         let mut data = String::new();
         polyline([point], false, &mut data);
-        self.stroke(&data, &Ink::decode(color, 100))
+        self.stroke(&data, Ink::decode(color, 100))
     }
 
     fn draw_line<S: BackendStyle>(&mut self, from: BackendCoord, to: BackendCoord, style: &S) -> Drawn {
@@ -189,13 +191,13 @@ impl DrawingBackend for Backend<'_> {
         }
         let mut data = String::new();
         polyline(corners, true, &mut data);
-        self.stroke(&data, &Ink::decode(style.color(), style.stroke_width()))
+        self.stroke(&data, Ink::decode(style.color(), style.stroke_width()))
     }
 
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Drawn {
         let mut data = String::new();
         polyline(path, false, &mut data);
-        self.stroke(&data, &Ink::decode(style.color(), style.stroke_width()))
+        self.stroke(&data, Ink::decode(style.color(), style.stroke_width()))
     }
 
     fn draw_circle<S: BackendStyle>(&mut self, centre: BackendCoord, radius: u32, style: &S, fill: bool) -> Drawn {
@@ -210,7 +212,7 @@ impl DrawingBackend for Backend<'_> {
         }
         data.push('z');
         let ink = Ink::decode(style.color(), style.stroke_width());
-        if fill { self.fill(&data, ink.role, ink.opacity, false) } else { self.stroke(&data, &ink) }
+        if fill { self.fill(&data, ink.role, ink.opacity, false) } else { self.stroke(&data, ink) }
     }
 
     fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, points: I, style: &S) -> Drawn {

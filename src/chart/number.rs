@@ -102,7 +102,7 @@ mod tests {
         assert_eq!(fixed(12345.6, 1), "12\u{2009}345.6");
         assert_eq!(integer(-1_048_576), "−1\u{2009}048\u{2009}576");
         assert_eq!(integer(1024), "1024");
-        assert_eq!(significant(0.00123456, 3), "0.00123");
+        assert_eq!(significant(0.001_234_56, 3), "0.00123");
         assert_eq!(significant(1.5e-9, 2), "1.5\u{2009}×\u{2009}10⁻⁹");
         assert_eq!(significant(9.999, 2), "10");
         assert_eq!(significant(0.0, 3), "0");

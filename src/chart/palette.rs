@@ -221,16 +221,22 @@ impl Style {
     pub fn of(method: &str) -> Self {
         const ROLES: [Role; 6] = [Role::Slate, Role::Olive, Role::Wine, Role::Teal, Role::Purple, Role::Ochre];
         const DASHES: [Dash; 5] = [Dash::Long, Dash::DashDotDot, Dash::Dotted, Dash::Dashed, Dash::DashDot];
-        const MARKERS: [Marker; 6] =
-            [Marker::Ring, Marker::Cross, Marker::Plus, Marker::Up, Marker::Diamond, Marker::Square];
+        // Open shapes: the methods with a style of their own mostly have filled ones.
+        const MARKERS: [Marker; 3] = [Marker::Ring, Marker::Cross, Marker::Plus];
         if let Some((_, style)) = SAMPLERS.iter().find(|row| row.0 == method) {
             return *style;
         }
         let hash = method
             .bytes()
             .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
-        let pick = |shift: u32, count: usize| ((hash >> shift) % count as u64) as usize;
-        Self { role: ROLES[pick(7, 6)], dash: DASHES[pick(23, 5)], marker: MARKERS[pick(41, 6)] }
+        let style = |turn: u32| {
+            let hash = hash.rotate_left(turn);
+            let pick = |shift: u32, count: usize| ((hash >> shift) % count as u64) as usize;
+            Self { role: ROLES[pick(7, 6)], dash: DASHES[pick(23, 5)], marker: MARKERS[pick(41, 3)] }
+        };
+        // Never the style of another method.
+        let free = |style: &Self| SAMPLERS.iter().all(|row| row.1 != *style);
+        (0..64).map(style).find(free).unwrap_or_else(|| style(0))
     }
 
     /// The style of the `index`-th of several series that are no methods, e.g. integrands or counts.
@@ -243,7 +249,7 @@ impl Style {
 /// The style sheet that themes the drawings in a page: light, dark by the reader's system or choice, and light in print.
 pub fn css() -> String {
     let declare = |colour: fn(Role) -> &'static str| -> String {
-        Role::all().map(|role| format!("--chart-{}:{};", role.name(), colour(role))).collect()
+        Role::all().flat_map(|role| ["--chart-", role.name(), ":", colour(role), ";"]).collect()
     };
     let (light, dark) = (declare(Role::light), declare(Role::dark));
     let mut css = format!(
@@ -253,7 +259,11 @@ pub fn css() -> String {
     );
     for role in Role::all() {
         let name = role.name();
-        css += &format!(".chart .s-{name}{{stroke:var(--chart-{name})}}.chart .f-{name}{{fill:var(--chart-{name})}}\n");
+        for part in
+            [".chart .s-", name, "{stroke:var(--chart-", name, ")}.chart .f-", name, "{fill:var(--chart-", name, ")}\n"]
+        {
+            css.push_str(part);
+        }
     }
     css += ".chart{display:block;max-width:100%;height:auto;margin-inline:auto;font-family:var(--chart-font,Helvetica,Arial,sans-serif)}\n\
             .chart .m{font-family:var(--chart-math,Georgia,\"Times New Roman\",serif)}\n\

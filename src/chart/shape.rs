@@ -81,7 +81,7 @@ impl<'a, C: 'a> PointCollection<'a, (C, C)> for &'a Shape<C> {
 impl<C> Drawable<Backend<'_>> for Shape<C> {
     fn draw<I: Iterator<Item = BackendCoord>>(&self, at: I, backend: &mut Backend<'_>, _: (u32, u32)) -> Drawn {
         match &self.kind {
-            Kind::Stroke(ends, ink) => backend.stroke(&pieces(at, ends, false), ink),
+            Kind::Stroke(ends, ink) => backend.stroke(&pieces(at, ends, false), *ink),
             Kind::Fill(ends, ink) => backend.fill(&pieces(at, ends, true), ink.role, ink.opacity, false),
             Kind::Marks(marker, size, role) => marks(at, *marker, *size, *role, backend),
             Kind::Text { text, anchor, role, bold } => {
@@ -120,7 +120,7 @@ fn marks(
     let mut data = String::with_capacity(at.len() * 18);
     if at.len() > DENSE {
         covered(&mut at, &mut data);
-        return backend.stroke(&data, &Ink { width: 100, ..Ink::new(role, 1.0) });
+        return backend.stroke(&data, Ink { width: 100, ..Ink::new(role, 1.0) });
     }
     let stroke = Ink { width: size.unsigned_abs(), ..Ink::new(role, 1.0) };
     if marker == Marker::Disc {
@@ -129,14 +129,14 @@ fn marks(
             pair(at, &mut data);
             data.push_str("h0");
         }
-        return backend.stroke(&data, &stroke);
+        return backend.stroke(&data, stroke);
     }
     for at in at {
         outline(marker, size, at, &mut data);
     }
     match marker {
         Marker::Plus | Marker::Cross | Marker::Ring => {
-            backend.stroke(&data, &Ink { width: (size / 4).unsigned_abs().max(80), ..stroke })
+            backend.stroke(&data, Ink { width: (size / 4).unsigned_abs().max(80), ..stroke })
         }
         _ => backend.fill(&data, role, 100, true),
     }

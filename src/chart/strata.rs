@@ -78,7 +78,7 @@ mod tests {
                     let start = f64::from(k) / f64::from(n);
                     // The first number of the stratum, its last, and its middle.
                     let end = f64::from_bits((f64::from(k + 1) / f64::from(n)).to_bits() - 1);
-                    for value in [start, end, (start + end) / 2.0] {
+                    for value in [start, end, f64::midpoint(start, end)] {
                         let own = (value * f64::from(n)).floor() as i64;
                         let at = written(value, length, [n]);
                         assert!(inside(at, length, own, i64::from(n)), "{value} of {n} on {length}: {at}");

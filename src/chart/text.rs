@@ -3,6 +3,7 @@
 //! The fonts of a reader are unknown, so widths are those of a common sans serif (Helvetica's metrics) with some slack.
 
 use super::number::THIN;
+use std::fmt::Write;
 
 /// The size of ordinary labels, in units.
 pub(super) const SIZE: f64 = 14.0;
@@ -110,7 +111,8 @@ impl Rich {
             if shift != 0.0 {
                 // The shift is in the run's own size.
                 let own = if small { shift / SMALL } else { shift };
-                *out += &format!(" dy=\"{own:.2}em\"");
+                // Writing to a string cannot fail.
+                let _ = write!(out, " dy=\"{own:.2}em\"");
             }
             out.push('>');
             escape(&run.text, out);

@@ -26,22 +26,18 @@ pub(super) fn linear(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let step = nice_step(high - low, count);
     let slack = 1e-9 * (high - low);
     let (first, last) = (((low - slack) / step).ceil(), ((high + slack) / step).floor());
-    if !(step.is_normal() && (last - first) < 1000.0) {
+    if !(step.is_normal() && (0.0..1000.0).contains(&(last - first))) {
         return Vec::new();
     }
     let places = (-portable::log10(step * (1.0 + 1e-9)).floor()).max(0.0) as usize;
     let largest = low.abs().max(high.abs());
     let mut ticks = Vec::new();
-    let mut index = first;
-    while index <= last {
-        let value = index * step;
-        let label = if largest >= 1e6 || largest < 1e-3 {
-            power_label(value, step)
-        } else {
-            number::fixed(value, places).into()
-        };
+    // Counted in whole numbers: far from 0 a sum of floats might not move at all.
+    for index in 0..=(last - first) as i64 {
+        let value = (first + index as f64) * step;
+        let label =
+            if (1e-3..1e6).contains(&largest) { number::fixed(value, places).into() } else { power_label(value, step) };
         ticks.push(Tick { at: value, label: Some(label) });
-        index += 1.0;
     }
     ticks
 }

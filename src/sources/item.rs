@@ -301,7 +301,7 @@ mod tests {
         assert_eq!(found.file, "run/digest.rs");
         assert!(found.text.starts_with("pub fn parse(text: &str) -> Option<Self> {"));
         assert_eq!(item("crate::catalogue::find").unwrap().file, "catalogue.rs");
-        assert_eq!(item("run::code::text").unwrap().file, "run/code/mod.rs");
+        assert_eq!(item("sources::text").unwrap().file, "sources/mod.rs");
         for wrong in ["", "::", "catalogue", "catalogue::nothing", "nothing::at::all", "é::ü"] {
             assert_eq!(item(wrong), None, "{wrong}");
         }

@@ -33,7 +33,7 @@ const NOT_COMPUTING: &[&str] = &[
     "run/",
     "exhibits/",
     "chart/",
-    "show/",
+    "sources/",
     "render/",
     "verify/",
     "write.rs",

@@ -139,7 +139,7 @@ fn dependencies_leave_this_package_out() {
 
 #[test]
 fn the_compiled_sources_are_embedded() {
-    assert!(text("run/code/mod.rs").is_some_and(|text| text.contains("fn not_computing")));
+    assert!(text("sources/mod.rs").is_some_and(|text| text.contains("fn not_computing")));
     assert_eq!(text("nothing.rs"), None);
     assert_ne!(sources().dependencies(), Sources::new([], "").dependencies());
     assert!(embedded::FILES.is_sorted());

@@ -8,12 +8,13 @@ use std::sync::{Arc, Mutex};
 
 use rayon::prelude::*;
 use workbook::catalogue::About;
+use workbook::chart::Drawing;
 use workbook::chart::Sheet;
-use workbook::exhibits::Drawing;
 use workbook::kinds::{AnyKind, Experiment, Failure, Frame, KINDS, Outcome, Values};
 use workbook::run::cache::Found;
-use workbook::run::{Cache, Digest, How, Job, Key, Observer, Ran, Why, run, status, unsaved};
+use workbook::run::{Cache, How, Job, Key, Observer, Ran, Why, run, status, unsaved};
 use workbook::seed::Seed;
+use workbook::sources::Digest;
 
 /// What the fake experiment does when it runs.
 #[derive(Clone, Copy, PartialEq)]

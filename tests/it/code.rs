@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use workbook::catalogue::About;
 use workbook::integrands::INTEGRANDS;
 use workbook::kinds::KINDS;
-use workbook::run::code;
 use workbook::samplers::SAMPLERS;
 use workbook::scrambles::SCRAMBLES;
+use workbook::sources as code;
 
 fn abouts() -> Vec<&'static About> {
     let samplers = SAMPLERS.iter().map(|entry| entry.about());

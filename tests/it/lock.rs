@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use workbook::diag::{Code, Diagnostic, Place, Severity};
 use workbook::kinds::{Measured, Value, Values};
-use workbook::run::Digest;
+use workbook::sources::Digest;
 use workbook::verify::drift::{Drift, Now, accept, compare};
 use workbook::verify::lock::Lock;
 

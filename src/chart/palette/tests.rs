@@ -49,6 +49,9 @@ fn methods_differ_in_more_than_colour() {
 fn styles_are_fixed() {
     assert_eq!(Style::of("independent").role, Role::Vermilion);
     assert_eq!(Style::of("sobol+later"), Style::of("sobol+later"));
+    for name in ["later-one", "sobol+shift", "niederreiter", "", "poisson-disk"] {
+        assert!(SAMPLERS.iter().all(|row| row.1 != Style::of(name)), "{name} looks like another");
+    }
     assert!((0..10).all(|i| (0..i).all(|j| Style::nth(i).role != Style::nth(j).role)));
 }
 
