@@ -145,6 +145,9 @@ pub trait Parameters: Sized + Send + Sync + 'static {
     /// The parameters as an object with every default filled in: equal questions give equal objects.
     fn canonical(&self) -> Value;
 
+    /// The parameters that only the drawing reads.
+    fn drawn() -> Vec<&'static str>;
+
     /// The members of catalogues that the parameters name.
     fn abouts(&self) -> Vec<&'static About>;
 }

@@ -79,6 +79,11 @@ pub trait Experiment: Send + Sync {
     /// The parameters as an object, every default filled in: equal questions give equal objects.
     fn parameters(&self) -> serde_json::Value;
 
+    /// The parameters that the result depends on: all but those that only the drawing reads.
+    fn question(&self) -> serde_json::Value {
+        self.parameters()
+    }
+
     /// Whose sources belong in the key: the kind, the samplers, scrambles and integrands, by file, without repeats.
     fn abouts(&self) -> Vec<&'static About>;
 
@@ -177,6 +182,14 @@ impl<K: Kind> Experiment for Planned<K> {
 
     fn parameters(&self) -> serde_json::Value {
         self.parameters.canonical()
+    }
+
+    fn question(&self) -> serde_json::Value {
+        let mut question = self.parameters.canonical();
+        if let Some(object) = question.as_object_mut() {
+            object.retain(|name, _| !K::Parameters::drawn().contains(&name.as_str()));
+        }
+        question
     }
 
     fn abouts(&self) -> Vec<&'static About> {
