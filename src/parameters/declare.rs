@@ -42,7 +42,8 @@ macro_rules! parameters {
 
             fn read(fields: &mut $crate::parameters::Fields<'_>) -> Option<Self> {
                 $(let $name = $crate::parameters::read_parameter(fields, &Self::$name());)+
-                Some(Self { $($name: $name?,)+ })
+                // A default stands in for what is wrong, so that the rest can be checked all the same.
+                Some(Self { $($name: $name.or_else(|| $crate::parameters::fallback(&Self::$name()))?,)+ })
             }
 
             fn canonical(&self) -> serde_json::Value {

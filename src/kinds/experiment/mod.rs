@@ -4,6 +4,8 @@ mod frame;
 mod problems;
 mod values;
 
+use std::ops::Range;
+
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -155,9 +157,23 @@ impl<K: Kind> AnyKind for K {
         fields.finish(&known);
         let mut parameters = read?;
         self.settle(&mut parameters);
+        let wrong: Vec<_> = fields.complaints[before..].iter().map(|complaint| complaint.range.clone()).collect();
         self.check(&parameters, &mut Problems::new(fields));
+        // Of a parameter that is wrong, for which a default stands in, nothing more is to be said.
+        let blamed = |name: &str| wrong.iter().any(|range| within(range, &fields.place(name)));
+        let blamed: Vec<_> = known.iter().filter(|name| blamed(name)).map(|name| fields.place(name)).collect();
+        let mut index = 0;
+        fields.complaints.retain(|complaint| {
+            index += 1;
+            index <= before + wrong.len() || !blamed.iter().any(|place| within(&complaint.range, place))
+        });
         (fields.complaints.len() == before).then(|| Box::new(Planned { kind: self, parameters }) as Box<dyn Experiment>)
     }
+}
+
+/// Whether `inner` lies in `outer`.
+fn within(inner: &Range<usize>, outer: &Range<usize>) -> bool {
+    outer.start <= inner.start && inner.end <= outer.end
 }
 
 /// A kind with its parameters.
