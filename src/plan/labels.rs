@@ -171,6 +171,7 @@ impl Numbering<'_> {
     }
 
     fn define(&mut self, id: &str, kind: LabelKind, number: String, place: Place) {
+        // Fences with the same id have been told while they were read.
         if let Some(before) = self.labels.targets.get(id) {
             let message = format!("the id `{id}` is used twice");
             let first = format!(

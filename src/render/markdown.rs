@@ -10,6 +10,9 @@ use crate::diag::Diagnostic;
 use crate::parse::{Callout, CalloutKind, Formula, Label, Node, ValueUse, What};
 use crate::plan::{Format, escape, links};
 
+/// The character that forbids a line's break where it stands.
+const JOINER: char = '\u{2060}';
+
 /// Writes the nodes of one chapter.
 pub(super) struct Writer<'a> {
     rendering: &'a Rendering<'a>,
@@ -66,7 +69,7 @@ impl<'a> Writer<'a> {
         let nodes = &self.rendering.course.chapters[self.chapter].content.nodes;
         for (at, node) in nodes.iter().enumerate() {
             self.at = Some(at);
-            self.node(node);
+            self.node(node, nodes.get(at + 1));
         }
         let footnotes = self.footnotes.list();
         Written { body: self.out, footnotes, diagnostics: self.diagnostics }
@@ -74,16 +77,16 @@ impl<'a> Writer<'a> {
 
     /// Nodes within a line, such as a caption.
     pub(super) fn inline(mut self, nodes: &[Node]) -> (String, Vec<Diagnostic>) {
-        for node in nodes {
-            self.node(node);
+        for (at, node) in nodes.iter().enumerate() {
+            self.node(node, nodes.get(at + 1));
         }
         (self.out, self.diagnostics)
     }
 
-    fn node(&mut self, node: &Node) {
+    fn node(&mut self, node: &Node, next: Option<&Node>) {
         match &node.what {
             What::Markdown(event) => self.event(event),
-            What::Formula(formula) => self.formula(formula, false),
+            What::Formula(formula) => self.inline_formula(formula, next),
             What::Equation { formula, label } => self.equation(formula, label.as_ref()),
             What::Experiment(fence) => self.exhibit(*fence),
             What::Listing(fence) => self.listing(*fence),
@@ -235,6 +238,18 @@ impl<'a> Writer<'a> {
         let href = links::resolve(url, self.rendering.course).unwrap_or_default();
         let title = if title.is_empty() { String::new() } else { format!(" title=\"{}\"", escape(title)) };
         let _ = write!(self.out, "<a href=\"{}\"{title}>", escape(&href));
+    }
+
+    /// A formula within a line. Browsers break lines on either side of one: what touches it is kept with it.
+    fn inline_formula(&mut self, formula: &Formula, next: Option<&Node>) {
+        if self.out.ends_with(['(', '[', '“', '‘', '-', '–', '/']) {
+            self.out.push(JOINER);
+        }
+        self.formula(formula, false);
+        let touches = |text: &str| text.starts_with(|c: char| !c.is_whitespace());
+        if matches!(next, Some(Node { what: What::Markdown(Event::Text(text)), .. }) if touches(text)) {
+            self.out.push(JOINER);
+        }
     }
 
     fn formula(&mut self, formula: &Formula, display: bool) {
