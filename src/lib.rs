@@ -9,7 +9,7 @@
 //!
 //! # Stages
 //!
-//! `workspace -> parse -> plan -> run -> exhibits -> render -> verify -> write`: see [`compose`], which is the map. Each stage is a pure
+//! `workspace -> parse -> plan -> run -> exhibits -> render -> verify -> write`: see [`compose()`], which is the map. Each stage is a pure
 //! function of what the one before returned, and returns its value *and* its [diagnostics](diag), so that one run reports every
 //! mistake. Only `workspace`, the cache and `write` touch the disk; only `cli` prints.
 //!

@@ -134,7 +134,7 @@ impl<'a> Writer<'a> {
             Tag::CodeBlock(kind) => self.code_block(kind),
             Tag::List(None) => self.out.push_str("<ul>\n"),
             Tag::List(Some(1)) => self.out.push_str("<ol>\n"),
-            Tag::List(Some(start)) => drop(write!(self.out, "<ol start=\"{start}\">\n")),
+            Tag::List(Some(start)) => drop(writeln!(self.out, "<ol start=\"{start}\">")),
             Tag::Item => self.out.push_str("<li>"),
             Tag::FootnoteDefinition(name) => {
                 self.footnotes.outside = Some((name.to_string(), std::mem::take(&mut self.out)));
@@ -208,7 +208,7 @@ impl<'a> Writer<'a> {
                 section.id, section.number
             );
         }
-        let _ = write!(self.out, "</{level}>\n");
+        let _ = writeln!(self.out, "</{level}>");
     }
 
     fn code_block(&mut self, kind: &CodeBlockKind<'_>) {
@@ -321,16 +321,16 @@ impl<'a> Writer<'a> {
         let head = format!("<span class=\"callout-label\">{label}</span>{title}");
         let class = format!("callout callout-{}", kind.name().to_lowercase());
         let _ = match (kind, anchor) {
-            (kind, _) if kind.folded() => write!(self.out, "<details class=\"{class}\"><summary>{head}</summary>\n"),
-            (_, Some(anchor)) => write!(
+            (kind, _) if kind.folded() => writeln!(self.out, "<details class=\"{class}\"><summary>{head}</summary>"),
+            (_, Some(anchor)) => writeln!(
                 self.out,
-                "<section class=\"{class}\" id=\"{}\"><p class=\"callout-title\">{head}</p>\n",
+                "<section class=\"{class}\" id=\"{}\"><p class=\"callout-title\">{head}</p>",
                 anchor.id
             ),
             (CalloutKind::Definition | CalloutKind::Exercise, None) => {
-                write!(self.out, "<section class=\"{class}\"><p class=\"callout-title\">{head}</p>\n")
+                writeln!(self.out, "<section class=\"{class}\"><p class=\"callout-title\">{head}</p>")
             }
-            _ => write!(self.out, "<aside class=\"{class}\"><p class=\"callout-title\">{head}</p>\n"),
+            _ => writeln!(self.out, "<aside class=\"{class}\"><p class=\"callout-title\">{head}</p>"),
         };
     }
 
@@ -380,7 +380,7 @@ impl Footnotes {
                 Some(text) => format!("{text}{back}</p>"),
                 None => format!("{text}{back}"),
             };
-            let _ = write!(list, "<li id=\"fn-{number}\">{text}</li>\n");
+            let _ = writeln!(list, "<li id=\"fn-{number}\">{text}</li>");
         }
         list.push_str("</ol></section>\n");
         list
