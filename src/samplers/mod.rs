@@ -54,6 +54,11 @@ pub trait Sampler: Entry + Sync {
         Digits::None
     }
 
+    /// Whether the bases of all axes are prime.
+    fn has_prime_bases(&self) -> bool {
+        true
+    }
+
     /// The digits of its coordinates for `n` points of `d` dimensions, both admitted; `None` where there are none.
     fn digital(&self, _n: usize, _d: usize) -> Option<Box<dyn Digital>> {
         None

@@ -5,10 +5,29 @@ use crate::points::Points;
 use crate::samplers::{Guarantee, Radix, Refused, Sampler, allocate, points as checked};
 use crate::seed::Seed;
 
+pub mod braaten_weller;
+pub mod cranley_patterson;
+pub mod faure_permutation;
+pub mod linear;
+pub mod owen;
+pub mod owen_hash;
+pub mod owen_shuffled;
+pub mod permutation;
+pub mod walk;
 pub mod xor;
 
 /// Every scramble, in the order of display.
-pub static SCRAMBLES: &[&dyn Scramble] = &[&xor::Xor];
+pub static SCRAMBLES: &[&dyn Scramble] = &[
+    &xor::Xor,
+    &cranley_patterson::CranleyPatterson,
+    &permutation::Permutation,
+    &faure_permutation::FaurePermutation,
+    &braaten_weller::BraatenWeller,
+    &linear::Linear,
+    &owen::Owen,
+    &owen_hash::OwenHash,
+    &owen_shuffled::OwenShuffled,
+];
 
 /// A map of the coordinates of a sampler, one for each axis, that keeps what makes the sampler good.
 pub trait Scramble: Entry + Sync {

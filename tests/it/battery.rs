@@ -288,7 +288,7 @@ fn catalogues_are_complete() {
     let integrands: Vec<&About> = workbook::integrands::INTEGRANDS.iter().map(|entry| entry.about()).collect();
     let helpers = [
         ("samplers", vec!["mod", "digits", "method", "refused"], samplers),
-        ("scrambles", vec!["mod"], scrambles),
+        ("scrambles", vec!["mod", "walk"], scrambles),
         ("integrands", vec!["mod", "function"], integrands),
     ];
     for (folder, others, abouts) in helpers {

@@ -100,6 +100,43 @@ fn halton_axes_32_and_33_are_correlated() {
     }
 }
 
+/// With random digit permutations that correlation is gone.
+#[test]
+fn permutations_break_the_correlation_of_halton() {
+    for seed in 0..10 {
+        let points =
+            Method::parse("halton+permutation").expect("known").points(256, 33, Seed::new(seed)).expect("admitted");
+        let (x, y): (Vec<f64>, Vec<f64>) = points.rows().map(|row| (row[31], row[32])).unzip();
+        let (slope, inverse) =
+            (least_squares(&x, &y).expect("a line").slope, least_squares(&y, &x).expect("a line").slope);
+        assert!(slope * inverse < 0.09, "seed {seed}: r^2 = {}", slope * inverse);
+    }
+}
+
+/// Trap 8 of hash-based scrambling: raw consecutive seeds bias E[xy]; ours are hashed, and the mean over consecutive seeds is 1/4.
+#[test]
+fn consecutive_seeds_do_not_bias_the_product() {
+    let method = Method::parse("sobol+owen-hash").expect("known");
+    let mean_of =
+        |seed| method.points(1, 2, Seed::new(seed)).expect("admitted").rows().map(|x| x[0] * x[1]).sum::<f64>();
+    let moments: Moments = (0..4000).map(mean_of).collect();
+    assert!((moments.mean() - 0.25).abs() < 5.0 * moments.standard_error(), "{moments:?}");
+}
+
+/// A Cranley-Patterson shift of 16 points keeps every dyadic interval filled with probability 2.3 %; XOR and Owen always do.
+#[test]
+fn shifts_rarely_keep_the_net() {
+    let kept = |name: &str| {
+        let method = Method::parse(name).expect("known");
+        let nets = (0..2000)
+            .filter(|&seed| crate::battery::is_net(&method.points(16, 2, Seed::new(seed)).expect("admitted"), 2, 0));
+        nets.count() as f64 / 2000.0
+    };
+    let share = kept("sobol+cranley-patterson");
+    assert!((share - 0.023).abs() < 5.0 * (0.023_f64 * 0.977 / 2000.0).sqrt(), "{share}");
+    assert_eq!((kept("sobol+xor"), kept("sobol+owen"), kept("sobol+owen-hash")), (1.0, 1.0, 1.0));
+}
+
 /// The errors of `replicates` estimates of the mean of `function`.
 fn errors(method: &str, function: &str, n: usize, replicates: u64) -> Vec<f64> {
     let (method, function) = (Method::parse(method).expect(method), Function::parse(function).expect(function));
@@ -123,6 +160,13 @@ fn variances_at_16_points_are_the_exact_ones() {
         ("latin-hypercube", "x", 1.0 / 49152.0),
         ("van-der-corput+xor", "x", 1.0 / 3072.0),
         ("sobol+xor", "x", 1.0 / 3072.0),
+        ("van-der-corput+cranley-patterson", "x", 1.0 / 3072.0),
+        ("van-der-corput+owen", "x", 1.0 / 49152.0),
+        ("van-der-corput+linear", "x", 1.0 / 49152.0),
+        ("sobol+owen", "xy", 7.0 / 147_456.0),
+        ("sobol+linear", "xy", 7.0 / 147_456.0),
+        ("sobol+owen-hash", "xy", 7.0 / 147_456.0),
+        ("sobol+owen-shuffled", "xy", 7.0 / 147_456.0),
     ];
     for (method, function, exact) in cases {
         let squares: Moments = errors(method, function, 16, 4000).iter().map(|error| error * error).collect();
@@ -149,7 +193,11 @@ fn slopes_of_the_error_are_the_published_ones() {
         ("independent", [-0.51, -0.50, -0.50, -0.51, -0.51]),
         ("jittered", [-0.76, -0.75, -0.73, -1.00, -0.99]),
         ("latin-hypercube", [-0.51, -0.51, -0.99, -0.51, -0.51]),
+        ("halton+permutation", [-0.76, -0.75, -1.01, -0.94, -0.94]),
+        ("sobol+cranley-patterson", [-0.80, -0.59, -0.99, -0.97, -0.92]),
         ("sobol+xor", [-0.77, -0.52, -1.02, -1.01, -1.01]),
+        ("sobol+owen", [-0.76, -0.72, -0.99, -1.44, -1.41]),
+        ("sobol+owen-hash", [-0.76, -0.72, -0.99, -1.44, -1.41]),
     ];
     for (method, slopes) in table {
         for (function, expected) in ["disk", "edge", "step", "gaussian", "xy"].into_iter().zip(slopes) {
