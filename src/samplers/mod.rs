@@ -9,14 +9,22 @@ use crate::points::Points;
 use crate::seed::Seed;
 
 pub mod digits;
+pub mod faure;
+pub mod fibonacci;
+pub mod folded;
 pub mod halton;
+pub mod hammersley;
 pub mod independent;
 pub mod jittered;
+pub mod korobov;
+pub mod kronecker;
+pub mod larcher_pillichshammer;
 pub mod latin_hypercube;
 mod method;
 mod refused;
 pub mod sobol;
 pub mod van_der_corput;
+pub mod zero_two;
 
 pub use digits::Radix;
 pub use method::{Method, UnknownMethod};
@@ -31,6 +39,14 @@ pub static SAMPLERS: &[&dyn Sampler] = &[
     &van_der_corput::VanDerCorput,
     &halton::Halton,
     &sobol::Sobol,
+    &hammersley::Hammersley,
+    &folded::Folded,
+    &faure::Faure,
+    &zero_two::ZeroTwo,
+    &larcher_pillichshammer::LarcherPillichshammer,
+    &kronecker::Kronecker,
+    &fibonacci::Fibonacci,
+    &korobov::Korobov,
 ];
 
 /// A way to place points in the unit cube.
@@ -47,6 +63,23 @@ pub trait Sampler: Entry + Sync {
     /// The net that [`Guarantee::Net`] promises in `d` dimensions.
     fn net(&self, _d: usize) -> Option<Net> {
         None
+    }
+
+    /// The net that [`Guarantee::Whole`] promises of all `n` points in `d` dimensions.
+    fn whole_net(&self, _n: usize, _d: usize) -> Option<Net> {
+        None
+    }
+
+    /// Into how many slabs each axis is cut for the cells of [`Guarantee::Strata`]; `n` and `d` are admitted.
+    fn strata(&self, n: usize, d: usize) -> Vec<usize> {
+        vec![digits::root(n as u64, d as u32) as usize; d]
+    }
+
+    /// Coordinate `axis` of point `index`, pure by position, for the `n` points of `d` dimensions that `seed` gives; `None` where points
+    /// depend on each other. Sequences heed no n.
+    fn at(&self, n: usize, d: usize, _seed: Seed) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
+        let digital = self.digital(n, d)?;
+        Some(Box::new(move |index, axis| digital.radix(axis).coordinate(digital.numerator(index, axis))))
     }
 
     /// In which base its coordinates are digits, which says what scrambles it can be combined with.
@@ -113,6 +146,8 @@ pub enum Guarantee {
     Strata,
     /// Every aligned block of b^m points is a (t, m, d)-net in base b, with the parameters of [`Sampler::net`].
     Net,
+    /// All n points together are a (t, m, d)-net, with the parameters of [`Sampler::whole_net`].
+    Whole,
     /// Of any consecutive b1^k1 ... bd^kd points, one falls in each of the equal boxes that cut axis j into bj^kj.
     Boxes,
     /// Over seeds the points together are uniform, so that the mean is unbiased.
@@ -128,6 +163,7 @@ impl std::fmt::Display for Guarantee {
             Self::Latin => "one point in each of the n slabs of every axis",
             Self::Strata => "one point in each cell of the grid of n equal cells",
             Self::Net => "every aligned block of b^m points is a (t, m, d)-net in base b",
+            Self::Whole => "all n = b^m points together are a (t, m, d)-net in base b",
             Self::Boxes => {
                 "one point in each box of sides b_j^-k_j among as many consecutive points as there are boxes"
             }

@@ -24,6 +24,9 @@ use crate::catalogue::{About, Entry, Paper};
 use crate::samplers::{Digits, Guarantee, Radix, Sampler};
 use crate::seed::Seed;
 
+/// Larger bases, which only the fractions i/n of a Hammersley set have, are left alone.
+const LARGEST: u32 = 2048;
+
 /// The scramble `faure-permutation`.
 pub struct FaurePermutation;
 
@@ -67,6 +70,9 @@ impl Scramble for FaurePermutation {
 
     fn action(&self, radix: Radix, _axis: usize, _seed: Seed) -> Action {
         let places = Places::new(radix);
+        if radix.base > LARGEST {
+            return Action::Digits(Box::new(move |numerator| radix.coordinate(numerator)));
+        }
         let images = permutation(radix.base);
         Action::Digits(Box::new(move |numerator| {
             radix.coordinate(places.map(numerator, |_, digit| u64::from(images[digit as usize])))

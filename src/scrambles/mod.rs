@@ -118,6 +118,35 @@ pub(crate) fn points(
     checked(d, coordinates)
 }
 
+/// Random access to the scrambled points.
+pub(crate) fn sample(
+    sampler: &dyn Sampler,
+    scramble: &dyn Scramble,
+    n: usize,
+    d: usize,
+    seed: Seed,
+) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
+    let own = seed.named(scramble.about().key);
+    let order = scramble.order(own);
+    let index = move |index| order.as_ref().map_or(index, |order| order(index));
+    if let Some(digital) = sampler.digital(n, d) {
+        let actions: Vec<Action> = (0..d).map(|axis| scramble.action(digital.radix(axis), axis, own)).collect();
+        return Some(Box::new(move |i, axis| {
+            let numerator = digital.numerator(index(i), axis);
+            match &actions[axis] {
+                Action::Digits(map) => map.coordinate(numerator),
+                Action::Coordinate(map) => map(digital.radix(axis).coordinate(numerator)),
+            }
+        }));
+    }
+    let plain = sampler.at(n, d, seed.named(sampler.about().key))?;
+    let actions: Vec<Action> = (0..d).map(|axis| scramble.action(Radix::new(2), axis, own)).collect();
+    Some(Box::new(move |i, axis| match &actions[axis] {
+        Action::Coordinate(map) => map(plain(index(i), axis)),
+        Action::Digits(_) => f64::NAN,
+    }))
+}
+
 /// Applies `action` to one axis of a block.
 fn apply(action: &Action, radix: Radix, numerators: &[u64], out: &mut [f64], stride: usize) {
     match action {

@@ -40,11 +40,9 @@ pub fn is_latin(points: &Points) -> bool {
     })
 }
 
-/// Every cell of the k^d = n grid holds one point.
-pub fn is_stratified(points: &Points) -> bool {
-    let (n, d) = (points.len(), points.dimensions());
-    let k = (1..=n).find(|k| k.pow(d as u32) >= n).unwrap_or(1);
-    occupancy(points.rows(), &vec![k; d]).iter().all(|&count| count == 1)
+/// Every cell of the grid with `cuts[j]` slabs on axis j holds one point, and there are n cells.
+pub fn is_stratified(points: &Points, cuts: &[usize]) -> bool {
+    cuts.iter().product::<usize>() == points.len() && occupancy(points.rows(), cuts).iter().all(|&count| count == 1)
 }
 
 /// How many points fall in each box of the grid with `cuts[j]` slabs on axis j.
@@ -74,22 +72,24 @@ fn compositions(total: u32, parts: usize) -> Vec<Vec<u32>> {
 
 /// Every elementary interval of volume b^(t-m) holds b^t of the b^m points of each aligned block.
 pub fn is_net(points: &Points, base: u32, t: u32) -> bool {
+    let (n, d) = (points.len(), points.dimensions());
+    let blocks = (t..).map(|m| (base as usize).pow(m)).take_while(|&block| block <= n);
+    blocks.into_iter().all(|block| {
+        points
+            .coordinates()
+            .chunks_exact(block * d)
+            .all(|rows| is_block_net(&Points::from_rows(d, rows.to_vec()).expect("whole rows"), base, t))
+    })
+}
+
+/// The points together are a net: every elementary interval of volume b^(t-m) holds b^t of the b^m points.
+pub fn is_block_net(points: &Points, base: u32, t: u32) -> bool {
     let (n, d, base) = (points.len(), points.dimensions(), base as usize);
-    let mut m = t;
-    while base.pow(m) <= n {
-        let block = base.pow(m);
-        let shapes = compositions(m - t, d);
-        for rows in points.coordinates().chunks_exact(block * d) {
-            for shape in &shapes {
-                let cuts: Vec<usize> = shape.iter().map(|&k| base.pow(k)).collect();
-                if occupancy(rows.chunks_exact(d), &cuts).iter().any(|&count| count as usize != base.pow(t)) {
-                    return false;
-                }
-            }
-        }
-        m += 1;
-    }
-    true
+    let Some(m) = (0..32).find(|&m| base.pow(m) == n) else { return false };
+    compositions(m.saturating_sub(t), d).iter().all(|shape| {
+        let cuts: Vec<usize> = shape.iter().map(|&k| base.pow(k)).collect();
+        occupancy(points.rows(), &cuts).iter().all(|&count| count as usize == base.pow(t.min(m)))
+    })
 }
 
 /// Of every b1^k1 ... bd^kd consecutive points, wherever they start, one lies in each box, for all exponents that fit.
@@ -162,7 +162,10 @@ fn latin_sets_have_one_point_a_slab() {
 fn strata_have_one_point_a_cell() {
     for (method, n, d) in cases().filter(|(method, ..)| method.guarantees().contains(&Guarantee::Strata)) {
         for seed in 0..5 {
-            assert!(is_stratified(&points(method, n, d, seed)), "{method}: n = {n}, d = {d}, seed {seed}");
+            assert!(
+                is_stratified(&points(method, n, d, seed), &method.sampler().strata(n, d)),
+                "{method}: n = {n}, d = {d}, seed {seed}"
+            );
         }
     }
 }
@@ -183,11 +186,67 @@ fn nets_fill_every_elementary_interval_of_every_block() {
     assert!(checked > 20, "only {checked} nets were checked");
 }
 
+#[test]
+fn whole_sets_are_nets() {
+    let mut checked = 0;
+    for (method, n, d) in cases() {
+        let Some(net) = method.whole_net(n, d) else { continue };
+        for seed in 0..3 {
+            let points = points(method, n, d, seed);
+            assert!(
+                n.is_power_of_two() && is_block_net(&points, net.base, net.t),
+                "{method}: n = {n}, d = {d}, seed {seed}"
+            );
+        }
+        checked += 1;
+    }
+    assert!(checked > 20, "only {checked} nets were checked");
+}
+
+#[test]
+fn random_access_gives_the_bits_of_the_batch() {
+    let mut checked = 0;
+    for (method, n, d) in cases().filter(|&(_, n, d)| [9, 16, 25, 27, 49].contains(&n) && d < 8) {
+        let seed = Seed::new(11);
+        let Some(sample) = method.sample(n, d, seed) else { continue };
+        let points = method.points(n, d, seed).expect("admitted");
+        for (i, row) in points.rows().enumerate() {
+            for (axis, &x) in row.iter().enumerate() {
+                assert_eq!(sample(i as u64, axis), x, "{method}: n = {n}, point {i}, axis {axis}");
+            }
+        }
+        checked += 1;
+    }
+    assert!(checked > 100, "only {checked} methods have random access");
+}
+
+/// Every sequence stays in [0, 1) at the last indices of 32 bits and at those of the traps, in `f64` and as `f32` rounded towards 0.
+#[test]
+fn far_indices_stay_below_one() {
+    let indices =
+        [33_554_431, 43_046_720, 29_296_874, 28_824_004, 17_715_609, 62_748_516, (1 << 32) - 1, (1 << 32) - 2];
+    for method in Method::all().filter(|method| method.guarantees().contains(&Guarantee::Prefix)) {
+        let d = if method.admits(1, 256).is_ok() { 256 } else { 1 };
+        let Some(sample) = method.sample(1, d, Seed::new(4)) else { continue };
+        for index in indices {
+            for axis in [0, 1, 2, 3, 4, 5, 31, 255].into_iter().filter(|&axis| axis < d) {
+                let x = sample(index, axis);
+                assert!(
+                    (0.0..1.0).contains(&x) && workbook::points::single(x) < 1.0,
+                    "{method}: index {index}, axis {axis}: {x}"
+                );
+            }
+        }
+    }
+}
+
 /// Every single axis of a net in base 2, to the last one, has one point in each dyadic interval.
 #[test]
 fn every_axis_alone_is_a_net() {
     let d = 256;
-    for method in Method::all().filter(|method| method.admits(1, d).is_ok() && method.net(d).is_some()) {
+    for method in
+        Method::all().filter(|method| method.net(d).is_some_and(|net| net.base == 2) && method.admits(1, d).is_ok())
+    {
         let points = points(method, 256, d, 3);
         for axis in 0..d {
             let column = Points::from_rows(1, points.axis(axis).collect()).expect("one column");

@@ -48,6 +48,28 @@ fn halton_is_the_exact_table() {
     }
 }
 
+#[test]
+fn faure_is_the_exact_table() {
+    let base3 = (numerators(include_str!("../data/faure_b3_n243.csv")), 3, 243.0);
+    let base5 = (numerators(include_str!("../data/faure_b5_n125.csv")), 5, 125.0);
+    for (table, d, scale) in [base3, base5] {
+        let points = Method::parse("faure").expect("known").points(table.len(), d, Seed::new(1)).expect("admitted");
+        for (i, (row, point)) in table.iter().zip(points.rows()).enumerate() {
+            let expected: Vec<f64> = row.iter().map(|&numerator| f64::from(numerator) / scale).collect();
+            assert_eq!(point, expected, "base {d}, point {i}");
+        }
+    }
+}
+
+#[test]
+fn folded_inverses_are_the_exact_fractions() {
+    let exact = [1.0 / 3.0, 5.0 / 6.0, 1.0 / 12.0, 7.0 / 12.0, 11.0 / 24.0, 23.0 / 24.0, 5.0 / 24.0, 17.0 / 24.0];
+    for (i, x) in exact.into_iter().enumerate() {
+        let folded = workbook::samplers::folded::folded_inverse(i as u64, 2);
+        assert!((folded - x).abs() <= 1.2e-16, "{i}: {folded} against {x}");
+    }
+}
+
 /// Trap 3: where digits summed in single precision reach 1, the integer form stays below, in `f64` and rounded to `f32` towards 0.
 #[test]
 fn radical_inverses_stay_below_one_where_the_lecture_reaches_it() {
