@@ -86,7 +86,8 @@ impl Sampler for Hammersley {
 
     fn digital(&self, n: usize, d: usize) -> Option<Box<dyn Digital>> {
         let (n, base) = (n as u64, smallest_root(n as u64)?);
-        let first = Radix::new(base);
+        // Other bases than 2 stop at the last digit of i / n: what follows is zeros, which a scramble takes as one.
+        let first = if base == 2 { Radix::new(2) } else { Radix { base, digits: logarithm(n, base)?, scale: n } };
         let mut radices = vec![first];
         radices.extend(PRIMES.iter().take(d - 1).map(|&prime| Radix::new(prime)));
         Some(Box::new(Set { n, radices }))

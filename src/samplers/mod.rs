@@ -8,10 +8,16 @@ use crate::catalogue::Entry;
 use crate::points::Points;
 use crate::seed::Seed;
 
+pub mod best_candidate;
+pub mod bridson;
+pub mod centred_grid;
+pub mod correlated_multi_jittered;
+pub mod dart_throwing;
 pub mod digits;
 pub mod faure;
 pub mod fibonacci;
 pub mod folded;
+pub mod grid;
 pub mod halton;
 pub mod hammersley;
 pub mod independent;
@@ -20,9 +26,17 @@ pub mod korobov;
 pub mod kronecker;
 pub mod larcher_pillichshammer;
 pub mod latin_hypercube;
+pub mod maximal_poisson;
 mod method;
+pub mod multi_jittered;
+pub mod orthogonal_array;
+pub mod orthogonal_array_bush;
+pub mod padded_jittered;
+pub mod poisson;
+pub mod progressive_multi_jittered;
 mod refused;
 pub mod sobol;
+pub mod uniform_jitter;
 pub mod van_der_corput;
 pub mod zero_two;
 
@@ -34,19 +48,32 @@ pub(crate) use refused::{allocate, points};
 /// Every sampler, in the order of display.
 pub static SAMPLERS: &[&dyn Sampler] = &[
     &independent::Independent,
+    &grid::Grid,
+    &centred_grid::CentredGrid,
+    &uniform_jitter::UniformJitter,
     &jittered::Jittered,
+    &padded_jittered::PaddedJittered,
     &latin_hypercube::LatinHypercube,
+    &multi_jittered::MultiJittered,
+    &correlated_multi_jittered::CorrelatedMultiJittered,
+    &orthogonal_array::OrthogonalArray,
+    &orthogonal_array_bush::OrthogonalArrayBush,
+    &dart_throwing::DartThrowing,
+    &bridson::Bridson,
+    &maximal_poisson::MaximalPoisson,
+    &best_candidate::BestCandidate,
     &van_der_corput::VanDerCorput,
     &halton::Halton,
-    &sobol::Sobol,
     &hammersley::Hammersley,
     &folded::Folded,
     &faure::Faure,
+    &sobol::Sobol,
     &zero_two::ZeroTwo,
     &larcher_pillichshammer::LarcherPillichshammer,
-    &kronecker::Kronecker,
-    &fibonacci::Fibonacci,
+    &progressive_multi_jittered::ProgressiveMultiJittered,
     &korobov::Korobov,
+    &fibonacci::Fibonacci,
+    &kronecker::Kronecker,
 ];
 
 /// A way to place points in the unit cube.
@@ -150,6 +177,18 @@ pub enum Guarantee {
     Whole,
     /// Of any consecutive b1^k1 ... bd^kd points, one falls in each of the equal boxes that cut axis j into bj^kj.
     Boxes,
+    /// One point in each cell of the square grid of the axes 2p and 2p + 1, for every p.
+    Pairs,
+    /// Any t axes show every cell of the grid of n^(1/t) slabs once.
+    Strength {
+        /// The number of axes t.
+        t: u32,
+    },
+    /// No two points are nearer on the torus than so many per cent of the largest possible distance.
+    Separated {
+        /// The relative radius in per cent.
+        percent: u32,
+    },
     /// Over seeds the points together are uniform, so that the mean is unbiased.
     Unbiased,
     /// The same points for every seed.
@@ -158,7 +197,17 @@ pub enum Guarantee {
 
 impl std::fmt::Display for Guarantee {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
+        f.write_str(match *self {
+            Self::Pairs => "one point in each cell of the square grid of the axes 2p and 2p + 1",
+            Self::Strength { t } => {
+                return write!(f, "one point in each cell of any {t} axes cut into n^(1/{t}) slabs");
+            }
+            Self::Separated { percent } => {
+                return write!(
+                    f,
+                    "no two points nearer on the torus than {percent} % of the largest possible distance"
+                );
+            }
             Self::Prefix => "the first m of n points are the m points",
             Self::Latin => "one point in each of the n slabs of every axis",
             Self::Strata => "one point in each cell of the grid of n equal cells",

@@ -1,11 +1,13 @@
 //! The battery: every sampler, alone and with every scramble, is held to what it declares over many n, d and seeds.
 //!
-//! Each check is a function from points to a verdict, so that `bite.rs` can run it on samplers that are broken on purpose.
+//! The checks themselves are in `checks.rs`.
 
-use workbook::points::{Points, slab};
+use crate::checks::{
+    fills_boxes, has_strength, in_range, is_block_net, is_latin, is_net, is_stratified, relative_radius, worst_moment,
+};
+use workbook::points::Points;
 use workbook::samplers::{Guarantee, Method};
 use workbook::seed::Seed;
-use workbook::stats::moments::Moments;
 
 /// The counts tried: powers of 2, 3, 5 and of small cubes, and what lies between.
 const COUNTS: &[usize] = &[1, 2, 3, 4, 5, 7, 8, 9, 16, 25, 27, 31, 49, 64, 81, 100, 121, 125, 128, 243, 256];
@@ -23,101 +25,6 @@ fn cases() -> impl Iterator<Item = (Method, usize, usize)> {
 
 fn points(method: Method, n: usize, d: usize, seed: u64) -> Points {
     method.points(n, d, Seed::new(seed)).unwrap_or_else(|error| panic!("{method}: {error}"))
-}
-
-/// All coordinates in [0, 1).
-pub fn in_range(points: &Points) -> bool {
-    points.coordinates().iter().all(|x| (0.0..1.0).contains(x))
-}
-
-/// Every interval of the 1/n grid on every axis holds one point.
-pub fn is_latin(points: &Points) -> bool {
-    let n = points.len();
-    (0..points.dimensions()).all(|axis| {
-        let mut hit = vec![false; n];
-        points.axis(axis).for_each(|x| hit[slab(x, n)] = true);
-        hit.iter().all(|&hit| hit)
-    })
-}
-
-/// Every cell of the grid with `cuts[j]` slabs on axis j holds one point, and there are n cells.
-pub fn is_stratified(points: &Points, cuts: &[usize]) -> bool {
-    cuts.iter().product::<usize>() == points.len() && occupancy(points.rows(), cuts).iter().all(|&count| count == 1)
-}
-
-/// How many points fall in each box of the grid with `cuts[j]` slabs on axis j.
-fn occupancy<'a>(rows: impl Iterator<Item = &'a [f64]>, cuts: &[usize]) -> Vec<u32> {
-    let mut counts = vec![0; cuts.iter().product()];
-    for row in rows {
-        let cell = row.iter().zip(cuts).rev().fold(0, |cell, (&x, &k)| cell * k + slab(x, k));
-        counts[cell] += 1;
-    }
-    counts
-}
-
-/// All ways to write `total` as a sum of `parts` whole numbers.
-fn compositions(total: u32, parts: usize) -> Vec<Vec<u32>> {
-    if parts == 1 {
-        return vec![vec![total]];
-    }
-    (0..=total)
-        .flat_map(|first| {
-            compositions(total - first, parts - 1).into_iter().map(move |mut rest| {
-                rest.insert(0, first);
-                rest
-            })
-        })
-        .collect()
-}
-
-/// Every elementary interval of volume b^(t-m) holds b^t of the b^m points of each aligned block.
-pub fn is_net(points: &Points, base: u32, t: u32) -> bool {
-    let (n, d) = (points.len(), points.dimensions());
-    let blocks = (t..).map(|m| (base as usize).pow(m)).take_while(|&block| block <= n);
-    blocks.into_iter().all(|block| {
-        points
-            .coordinates()
-            .chunks_exact(block * d)
-            .all(|rows| is_block_net(&Points::from_rows(d, rows.to_vec()).expect("whole rows"), base, t))
-    })
-}
-
-/// The points together are a net: every elementary interval of volume b^(t-m) holds b^t of the b^m points.
-pub fn is_block_net(points: &Points, base: u32, t: u32) -> bool {
-    let (n, d, base) = (points.len(), points.dimensions(), base as usize);
-    let Some(m) = (0..32).find(|&m| base.pow(m) == n) else { return false };
-    compositions(m.saturating_sub(t), d).iter().all(|shape| {
-        let cuts: Vec<usize> = shape.iter().map(|&k| base.pow(k)).collect();
-        occupancy(points.rows(), &cuts).iter().all(|&count| count as usize == base.pow(t.min(m)))
-    })
-}
-
-/// Of every b1^k1 ... bd^kd consecutive points, wherever they start, one lies in each box, for all exponents that fit.
-pub fn fills_boxes(points: &Points, bases: &[usize]) -> bool {
-    let (n, d) = (points.len(), points.dimensions());
-    let mut shapes = vec![vec![]];
-    for &base in &bases[..d] {
-        shapes = shapes
-            .into_iter()
-            .flat_map(|shape: Vec<usize>| {
-                std::iter::successors(Some(1), move |cuts| Some(cuts * base)).take_while(|&cuts| cuts <= n).map(
-                    move |cuts| {
-                        let mut shape = shape.clone();
-                        shape.push(cuts);
-                        shape
-                    },
-                )
-            })
-            .filter(|shape| shape.iter().product::<usize>() <= n)
-            .collect();
-    }
-    shapes.iter().all(|cuts| {
-        let run: usize = cuts.iter().product();
-        [0, 1, (n - run) / 2, n - run].iter().filter(|&&start| start + run <= n).all(|start| {
-            let rows = points.rows().skip(*start).take(run);
-            occupancy(rows, cuts).iter().all(|&count| count == 1)
-        })
-    })
 }
 
 #[test]
@@ -166,6 +73,40 @@ fn strata_have_one_point_a_cell() {
                 is_stratified(&points(method, n, d, seed), &method.sampler().strata(n, d)),
                 "{method}: n = {n}, d = {d}, seed {seed}"
             );
+        }
+    }
+}
+
+#[test]
+fn arrays_have_their_strength() {
+    for (method, n, d) in cases() {
+        for guarantee in method.guarantees() {
+            for seed in 0..4 {
+                let points = || points(method, n, d, seed);
+                match guarantee {
+                    Guarantee::Strength { t } => {
+                        assert!(has_strength(&points(), t as usize), "{method}: n = {n}, d = {d}");
+                    }
+                    Guarantee::Pairs => {
+                        let points = points();
+                        for first in (0..d).step_by(2) {
+                            let width = (d - first).min(2);
+                            let pair = points.rows().flat_map(|row| row[first..first + width].to_vec()).collect();
+                            let pair = Points::from_rows(width, pair).expect("whole rows");
+                            let k = if width == 1 { n } else { (1..=n).find(|k| k * k >= n).unwrap_or(1) };
+                            assert!(
+                                is_stratified(&pair, &vec![k; width]),
+                                "{method}: n = {n}, d = {d}, axes from {first}"
+                            );
+                        }
+                    }
+                    Guarantee::Separated { percent } if n > 1 => {
+                        let radius = relative_radius(&points());
+                        assert!(radius >= f64::from(percent) / 100.0, "{method}: n = {n}: relative radius {radius}");
+                    }
+                    _ => {}
+                }
+            }
         }
     }
 }
@@ -279,29 +220,6 @@ fn points_are_uniform_over_seeds() {
     }
 }
 
-/// By how many standard errors the moments of pooled points are off, at worst, over 400 seeds.
-pub fn worst_moment(points: impl Fn(u64) -> Points) -> f64 {
-    let d = points(0).dimensions();
-    let mut moments = vec![[Moments::default(); 3]; d];
-    for seed in 0..400 {
-        let points = points(seed);
-        for (axis, moments) in moments.iter_mut().enumerate() {
-            let mean = |f: &dyn Fn(&[f64]) -> f64| points.rows().map(f).sum::<f64>() / points.len() as f64;
-            moments[0].push(mean(&|x| x[axis] - 0.5));
-            moments[1].push(mean(&|x| (x[axis] - 0.5) * (x[axis] - 0.5) - 1.0 / 12.0));
-            if d > 1 {
-                moments[2].push(mean(&|x| (x[axis] - 0.5) * (x[(axis + 1) % d] - 0.5)));
-            }
-        }
-    }
-    let scores = moments
-        .iter()
-        .flatten()
-        .filter(|moments| moments.count() > 0)
-        .map(|moments| moments.mean().abs() / moments.standard_error());
-    scores.fold(0.0, f64::max)
-}
-
 /// What cannot be given is refused with the argument and its limits, before anything is allocated.
 #[test]
 fn bad_counts_and_dimensions_are_refused() {
@@ -346,7 +264,7 @@ fn catalogues_are_complete() {
     let scrambles: Vec<&About> = workbook::scrambles::SCRAMBLES.iter().map(|entry| entry.about()).collect();
     let integrands: Vec<&About> = workbook::integrands::INTEGRANDS.iter().map(|entry| entry.about()).collect();
     let helpers = [
-        ("samplers", vec!["mod", "digits", "method", "refused"], samplers),
+        ("samplers", vec!["mod", "digits", "method", "poisson", "refused"], samplers),
         ("scrambles", vec!["mod", "walk"], scrambles),
         ("integrands", vec!["mod", "function"], integrands),
     ];

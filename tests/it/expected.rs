@@ -151,7 +151,7 @@ fn shifts_rarely_keep_the_net() {
     let kept = |name: &str| {
         let method = Method::parse(name).expect("known");
         let nets = (0..2000)
-            .filter(|&seed| crate::battery::is_net(&method.points(16, 2, Seed::new(seed)).expect("admitted"), 2, 0));
+            .filter(|&seed| crate::checks::is_net(&method.points(16, 2, Seed::new(seed)).expect("admitted"), 2, 0));
         nets.count() as f64 / 2000.0
     };
     let share = kept("sobol+cranley-patterson");
@@ -170,6 +170,10 @@ fn errors(method: &str, function: &str, n: usize, replicates: u64) -> Vec<f64> {
     (0..replicates).map(|k| estimate(method.points(n, d, seed.at(k)).expect("admitted")) - exact).collect()
 }
 
+/// The variance of xy under one shared offset (u, v) in a 4 x 4 grid: the mean of (c + u)(r + v) / 16 over the cells is (3/2 + u)(3/2 + v) / 16, of variance
+/// (E\[(3/2 + u)^2\]^2 - 16) / 256 with E\[(3/2 + u)^2\] = 4 + 1/12.
+const UNIFORM_JITTER_XY: f64 = ((49.0 / 12.0) * (49.0 / 12.0) - 16.0) / 256.0;
+
 /// The variance of the 16-point estimate, where theory knows it: within 5 standard errors of the sample variance.
 #[test]
 fn variances_at_16_points_are_the_exact_ones() {
@@ -180,6 +184,9 @@ fn variances_at_16_points_are_the_exact_ones() {
         ("independent", "x", 1.0 / 192.0),
         ("jittered", "x", 1.0 / 49152.0),
         ("latin-hypercube", "x", 1.0 / 49152.0),
+        ("multi-jittered", "x", 1.0 / 49152.0),
+        ("uniform-jitter", "xy", UNIFORM_JITTER_XY),
+        ("pmj02", "xy", 7.0 / 147_456.0),
         ("van-der-corput+xor", "x", 1.0 / 3072.0),
         ("sobol+xor", "x", 1.0 / 3072.0),
         ("van-der-corput+cranley-patterson", "x", 1.0 / 3072.0),
@@ -195,6 +202,39 @@ fn variances_at_16_points_are_the_exact_ones() {
         let z = (squares.mean() - exact) / squares.standard_error();
         assert!(z.abs() < 5.0, "{method} on {function}: {} against {exact}, z = {z}", squares.mean());
     }
+}
+
+/// Given to three digits: multi-jitter 7.86e-5, correlated multi-jitter 2.68e-4, which is worse than plain jitter's 2.15e-4.
+#[test]
+fn correlated_multi_jitter_is_worse_on_the_product() {
+    for (method, published) in [("multi-jittered", 7.86e-5), ("correlated-multi-jittered", 2.68e-4)] {
+        let squares: Moments = errors(method, "xy", 16, 20_000).iter().map(|error| error * error).collect();
+        let off = (squares.mean() - published).abs();
+        assert!(off < 5.0 * squares.standard_error() + 0.005 * published, "{method}: {squares:?}");
+    }
+}
+
+/// The saturation limits of random sequential adsorption on the torus: coverage 0.547, relative radius 0.7767.
+#[test]
+fn maximal_poisson_sets_reach_saturation() {
+    use workbook::samplers::maximal_poisson::saturate;
+    let radius = 0.02;
+    let counts: Moments = (0..10).map(|seed| saturate(radius, &mut Seed::new(seed).generator()).len() as f64).collect();
+    let coverage = counts.mean() * std::f64::consts::PI * radius * radius / 4.0;
+    assert!((coverage - 0.54707).abs() < 0.005, "coverage {coverage}");
+    let relative = radius / workbook::samplers::poisson::hexagonal(counts.mean() as usize);
+    assert!((relative - 0.7767).abs() < 0.004, "relative radius {relative}");
+}
+
+/// Saturated means saturated: no point of a fine grid is farther than the radius from all points.
+#[test]
+fn maximal_poisson_sets_have_no_hole() {
+    use workbook::samplers::poisson::squared_distance;
+    let radius = 0.08;
+    let places = workbook::samplers::maximal_poisson::saturate(radius, &mut Seed::new(5).generator());
+    let holes = (0..40_000).map(|k| [f64::from(k % 200) / 200.0, f64::from(k / 200) / 200.0]);
+    let nearest = |hole| places.iter().map(|&place| squared_distance(place, hole)).fold(f64::INFINITY, f64::min);
+    assert!(holes.map(nearest).all(|square| square < radius * radius));
 }
 
 /// The slope of log RMSE over log n for n = 4^2 .. 4^6.
@@ -215,6 +255,7 @@ fn slopes_of_the_error_are_the_published_ones() {
         ("independent", [-0.51, -0.50, -0.50, -0.51, -0.51]),
         ("jittered", [-0.76, -0.75, -0.73, -1.00, -0.99]),
         ("latin-hypercube", [-0.51, -0.51, -0.99, -0.51, -0.51]),
+        ("multi-jittered", [-0.75, -0.74, -0.98, -1.04, -1.02]),
         ("halton+permutation", [-0.76, -0.75, -1.01, -0.94, -0.94]),
         ("sobol+cranley-patterson", [-0.80, -0.59, -0.99, -0.97, -0.92]),
         ("sobol+xor", [-0.77, -0.52, -1.02, -1.01, -1.01]),
