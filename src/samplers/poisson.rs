@@ -64,7 +64,12 @@ impl Buckets {
 
     /// The squared distance to the nearest point; infinite if there is none.
     pub fn nearest(&self, place: Place) -> f64 {
-        let mut best = f64::INFINITY;
+        self.nearest_below(place, f64::INFINITY)
+    }
+
+    /// The same where it is below `limit`, otherwise `limit`.
+    pub fn nearest_below(&self, place: Place, limit: f64) -> f64 {
+        let mut best = limit;
         for ring in 0..=self.side.div_ceil(2) {
             best = self.ring(place, ring, best);
             // What is not yet seen is at least `ring` whole buckets away.

@@ -263,10 +263,12 @@ fn catalogues_are_complete() {
     let samplers: Vec<&About> = workbook::samplers::SAMPLERS.iter().map(|entry| entry.about()).collect();
     let scrambles: Vec<&About> = workbook::scrambles::SCRAMBLES.iter().map(|entry| entry.about()).collect();
     let integrands: Vec<&About> = workbook::integrands::INTEGRANDS.iter().map(|entry| entry.about()).collect();
+    let metrics: Vec<&About> = workbook::metrics::abouts().collect();
     let helpers = [
         ("samplers", vec!["mod", "digits", "method", "poisson", "refused"], samplers),
         ("scrambles", vec!["mod", "walk"], scrambles),
-        ("integrands", vec!["mod", "function"], integrands),
+        ("integrands", vec!["mod", "function", "genz"], integrands),
+        ("metrics", vec!["mod", "occupancy", "spectrum", "star_bound"], metrics),
     ];
     for (folder, others, abouts) in helpers {
         let mut files: Vec<String> = others.iter().map(|name| format!("{folder}/{name}.rs")).collect();

@@ -204,6 +204,29 @@ fn variances_at_16_points_are_the_exact_ones() {
     }
 }
 
+/// Latin hypercubes and the sum of d coordinates: d / (12 n^3).
+#[test]
+fn latin_hypercubes_take_sums_apart() {
+    let (method, sum) = (Method::parse("latin-hypercube").expect("known"), Function::parse("sum").expect("known"));
+    for (n, d) in [(4, 3), (16, 5)] {
+        let estimate = |seed| {
+            method
+                .points(n, d, Seed::new(seed))
+                .expect("admitted")
+                .rows()
+                .map(|x| sum.evaluate(x))
+                .collect::<Moments>()
+                .mean()
+        };
+        let squares: Moments = (0..3000).map(|seed| portable::power(estimate(seed) - d as f64 / 2.0, 2)).collect();
+        let exact = d as f64 / (12.0 * portable::power(n as f64, 3));
+        assert!(
+            (squares.mean() - exact).abs() < 5.0 * squares.standard_error(),
+            "n = {n}, d = {d}: {squares:?} against {exact}"
+        );
+    }
+}
+
 /// Given to three digits: multi-jitter 7.86e-5, correlated multi-jitter 2.68e-4, which is worse than plain jitter's 2.15e-4.
 #[test]
 fn correlated_multi_jitter_is_worse_on_the_product() {

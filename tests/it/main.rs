@@ -5,4 +5,5 @@
 mod battery;
 mod checks;
 mod expected;
+mod measures;
 mod statistics;
