@@ -25,6 +25,7 @@
 
 pub mod catalogue;
 pub mod integrands;
+pub mod metrics;
 pub mod points;
 pub mod samplers;
 pub mod scrambles;

@@ -5,6 +5,7 @@
 mod battery;
 #[cfg(feature = "publish")]
 mod cache;
+mod checks;
 #[cfg(feature = "publish")]
 mod code;
 mod expected;
@@ -12,6 +13,7 @@ mod expected;
 mod kinds;
 #[cfg(feature = "publish")]
 mod lock;
+mod measures;
 #[cfg(feature = "publish")]
 mod parameters;
 mod statistics;
