@@ -7,7 +7,11 @@ mod battery;
 mod cache;
 #[cfg(feature = "publish")]
 mod code;
+#[cfg(feature = "publish")]
+mod course;
 mod expected;
+#[cfg(feature = "publish")]
+mod golden;
 #[cfg(feature = "publish")]
 mod kinds;
 #[cfg(feature = "publish")]
