@@ -4,11 +4,15 @@
 
 mod battery;
 #[cfg(feature = "publish")]
+mod behaviour;
+#[cfg(feature = "publish")]
 mod cache;
 #[cfg(feature = "publish")]
 mod code;
 #[cfg(feature = "publish")]
 mod course;
+#[cfg(feature = "publish")]
+mod determinism;
 mod expected;
 #[cfg(feature = "publish")]
 mod golden;
