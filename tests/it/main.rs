@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod battery;
+mod bite;
 mod checks;
+mod enumeration;
 mod expected;
 mod measures;
 mod statistics;
