@@ -5,6 +5,7 @@
 mod battery;
 #[cfg(feature = "publish")]
 mod behaviour;
+mod bite;
 #[cfg(feature = "publish")]
 mod cache;
 mod checks;
@@ -14,6 +15,7 @@ mod code;
 mod course;
 #[cfg(feature = "publish")]
 mod determinism;
+mod enumeration;
 mod expected;
 #[cfg(feature = "publish")]
 mod golden;
