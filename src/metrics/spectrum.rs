@@ -6,7 +6,7 @@
 //! **Algorithm.** exp(-2 pi i (u x + v y)) is a product of a factor in x and one in y, so that the sums for all (u, v) are a product of two matrices over the points. P(-w) = P(w): half of
 //! the plane is computed.
 //!
-//! **Radial means.** [`radial`] averages over rings of width 1 with their counts; the anisotropy of a ring is the variance of P over the ring, relative to the square of its mean, in decibels.
+//! **Radial means.** [`Spectrum::radial`] averages over rings of width 1 with their counts; the anisotropy of a ring is the variance of P over the ring, relative to the square of its mean, in decibels.
 //!
 //! **Papers.** R. A. Ulichney, Dithering with Blue Noise, Proc. IEEE 76(1) (1988), doi 10.1109/5.3288; T. Schloemer and O. Deussen, Accurate Spectral Analysis of Two-Dimensional Point Sets, J. Graphics, GPU and Game
 //! Tools 15(3) (2011), doi 10.1080/2151237X.2011.609773.

@@ -14,6 +14,7 @@ pub mod centred_grid;
 pub mod correlated_multi_jittered;
 pub mod dart_throwing;
 pub mod digits;
+pub mod enumeration;
 pub mod faure;
 pub mod fibonacci;
 pub mod folded;

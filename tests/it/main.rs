@@ -4,11 +4,21 @@
 
 mod battery;
 #[cfg(feature = "publish")]
+mod behaviour;
+mod bite;
+#[cfg(feature = "publish")]
 mod cache;
 mod checks;
 #[cfg(feature = "publish")]
 mod code;
+#[cfg(feature = "publish")]
+mod course;
+#[cfg(feature = "publish")]
+mod determinism;
+mod enumeration;
 mod expected;
+#[cfg(feature = "publish")]
+mod golden;
 #[cfg(feature = "publish")]
 mod kinds;
 #[cfg(feature = "publish")]
