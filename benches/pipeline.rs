@@ -188,7 +188,7 @@ fn composed(root: &Path) -> Composed {
 fn many_points() -> (Plan, Outcome) {
     let root = empty("points");
     fs::create_dir_all(root.join("chapters")).expect("a folder can be made");
-    fs::write(root.join("chapters/workbook.toml"), "title = \"Points\"\norder = [\"01-points\"]\n")
+    fs::write(root.join("chapters/workbook.toml"), "title = \"Points\"\nauthors = \"A\"\norder = [\"01-points\"]\n")
         .expect("a file can be written");
     fs::write(root.join("chapters/01-points.md"), POINTS).expect("a file can be written");
     let planned = check(&request(&root));

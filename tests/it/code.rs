@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use workbook::catalogue::About;
 use workbook::integrands::INTEGRANDS;
 use workbook::kinds::KINDS;
+use workbook::metrics::METRICS;
 use workbook::samplers::SAMPLERS;
 use workbook::scrambles::SCRAMBLES;
 use workbook::sources as code;
@@ -13,7 +14,8 @@ fn abouts() -> Vec<&'static About> {
     let samplers = SAMPLERS.iter().map(|entry| entry.about());
     let scrambles = SCRAMBLES.iter().map(|entry| entry.about());
     let integrands = INTEGRANDS.iter().map(|entry| entry.about());
-    samplers.chain(scrambles).chain(integrands).chain(KINDS.iter().map(|kind| kind.about())).collect()
+    let metrics = METRICS.iter().map(|entry| entry.about());
+    samplers.chain(scrambles).chain(integrands).chain(metrics).chain(KINDS.iter().map(|kind| kind.about())).collect()
 }
 
 #[test]
