@@ -2,11 +2,15 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+#[cfg(feature = "publish")]
+mod atomic;
 mod battery;
 #[cfg(feature = "publish")]
 mod behaviour;
 #[cfg(feature = "publish")]
 mod cache;
+#[cfg(feature = "publish")]
+mod cli;
 #[cfg(feature = "publish")]
 mod code;
 #[cfg(feature = "publish")]
@@ -21,5 +25,11 @@ mod kinds;
 #[cfg(feature = "publish")]
 mod lock;
 #[cfg(feature = "publish")]
+mod pages;
+#[cfg(feature = "publish")]
 mod parameters;
+#[cfg(feature = "publish")]
+mod review;
 mod statistics;
+#[cfg(feature = "publish")]
+mod tidy;
