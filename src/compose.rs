@@ -6,8 +6,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::diag::{Diagnostic, any_error};
-use crate::exhibits::Shown;
-use crate::kinds::Outcome;
+use crate::exhibits::{Keyed, Shown};
 use crate::parse::Course;
 use crate::plan::{Exhibit, Plan};
 use crate::render::Book;
@@ -109,14 +108,14 @@ pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
     if let Some(shown) = shown.into_iter().collect::<Option<Vec<_>>>() {
         composed.shown = shown;
     }
-    if !any_error(&composed.diagnostics) {
+    if any_error(&composed.diagnostics) {
+        composed.diagnostics.extend(render::check(&composed.course, &composed.plan, &composed.workspace));
+    } else {
         let (book, complaints) = clock
             .time("render", || render::render(&composed.course, &composed.plan, &composed.shown, &composed.workspace));
         composed.diagnostics.extend(complaints);
         composed.diagnostics.extend(clock.time("verify", || verify::site::check(&book)));
         composed.book = book;
-    } else {
-        composed.diagnostics.extend(render::check(&composed.course, &composed.plan, &composed.workspace));
     }
     composed.timings = clock.times;
     composed
@@ -133,7 +132,7 @@ pub fn job(exhibit: &Exhibit) -> Job {
 }
 
 /// The result of each exhibit with the digest of its key, where there is one, and what went wrong where there is none.
-fn outcomes(plan: &Plan, ran: &[Ran]) -> (Vec<Option<(String, Arc<Outcome>)>>, Vec<Diagnostic>) {
+fn outcomes(plan: &Plan, ran: &[Ran]) -> (Vec<Option<Keyed>>, Vec<Diagnostic>) {
     let by_id: BTreeMap<&str, &Ran> =
         ran.iter().flat_map(|ran| ran.ids.iter().map(move |id| (id.as_str(), ran))).collect();
     let mut diagnostics = Vec::new();

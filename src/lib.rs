@@ -9,8 +9,8 @@
 //!
 //! # Stages
 //!
-//! `workspace -> parse -> plan -> run -> exhibits -> render -> verify -> write`: see [`compose`], which is the map. Each stage is a pure
-//! function of what the one before returned, and returns its value *and* its [diagnostics](diag), so that one run reports every
+//! `workspace -> parse -> plan -> run -> exhibits -> render -> verify -> write`: see `compose`, which is the map. Each stage is a pure
+//! function of what the one before returned, and returns its value *and* its diagnostics (`diag`), so that one run reports every
 //! mistake. Only `workspace`, the cache and `write` touch the disk; only `cli` prints.
 //!
 //! # The mathematics
@@ -25,6 +25,7 @@
 
 pub mod catalogue;
 pub mod integrands;
+pub mod metrics;
 pub mod points;
 pub mod samplers;
 pub mod scrambles;

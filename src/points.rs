@@ -58,3 +58,12 @@ pub fn slab(x: f64, n: usize) -> usize {
         guess
     }
 }
+
+/// The largest `f32` not above `x` in [0, 1): single precision that never rounds up to 1.
+///
+/// Rounding to nearest would turn 1 - 2^-26 into 1.
+#[inline]
+pub fn single(x: f64) -> f32 {
+    let nearest = x as f32;
+    if f64::from(nearest) > x { nearest.next_down() } else { nearest }
+}

@@ -147,15 +147,19 @@ fn place(path: String, bytes: Vec<u8>, workspace: &mut Workspace, diagnostics: &
 fn is_text(path: &str) -> bool {
     const TEXTS: &[&str] =
         &["md", "csl", "xml", "toml", "bib", "html", "css", "js", "c", "h", "rs", "py", "r", "jl", "csv", "txt"];
-    let extension = path.rsplit_once('.').map(|(_, extension)| extension);
-    extension.is_some_and(|extension| TEXTS.contains(&extension))
+    extension(path).is_some_and(|extension| TEXTS.contains(&extension))
+}
+
+/// What stands behind the last dot of a file's name.
+pub fn extension(path: &str) -> Option<&str> {
+    path.rsplit_once('.').map(|(_, extension)| extension)
 }
 
 fn not_utf8(path: &str, error: &std::string::FromUtf8Error) -> Diagnostic {
     let valid = error.utf8_error().valid_up_to();
     let before = &error.as_bytes()[..valid];
-    let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
-    let column = valid - before.iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1) + 1;
+    let line = before.split(|&byte| byte == b'\n').count();
+    let column = before.rsplit(|&byte| byte == b'\n').next().map_or(0, <[u8]>::len) + 1;
     Diagnostic::error(Code::NotUtf8, format!("{path}:{line}:{column}: the file is not UTF-8"))
         .help("save it again from the editor with the encoding UTF-8")
 }

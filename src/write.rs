@@ -25,10 +25,7 @@ const LOCK_NAME: &str = "workbook.lock";
 /// The new book is written beside the old one and the two change places in one step, so that whatever happens a whole book
 /// is in place. A folder that holds anything but a book is refused.
 pub fn write(book: &Book, out: &Path) -> Result<Outcome, Diagnostic> {
-    let lock = match fs::read(out.join(LOCK_NAME)) {
-        Ok(bytes) => Some(bytes),
-        Err(_) => None,
-    };
+    let lock = fs::read(out.join(LOCK_NAME)).ok();
     if !is_book_or_free(out) {
         return Err(Diagnostic::error(
             Code::NotABook,

@@ -8,6 +8,7 @@ use super::progress::Progress;
 use super::{Exit, Options, report};
 use crate::compose::compose;
 use crate::diag::any_error;
+use crate::verify::lock::Lock;
 use crate::verify::{drift, now, read_lock};
 use crate::write;
 
@@ -31,7 +32,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
             report::diagnostics(&broken, &composed.workspace, options);
             return Exit::Course;
         }
-        Err(_) => Default::default(),
+        Err(_) => Lock::default(),
     };
     let now = now(&composed.plan, &composed.shown);
     let reviewed: BTreeSet<String> = arguments.ids.iter().cloned().collect();

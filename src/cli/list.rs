@@ -1,5 +1,7 @@
 //! `workbook list`: the entries of a catalogue, or the exhibits of the course.
 
+use std::fmt::Write as _;
+
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
@@ -90,6 +92,9 @@ fn print(rows: &[[String; 2]], json: &serde_json::Value, options: &Options) {
         return report::to_stdout(&format!("{}\n", serde_json::to_string_pretty(json).unwrap_or_default()));
     }
     let width = rows.iter().map(|row| row[0].chars().count()).max().unwrap_or(0);
-    let text: String = rows.iter().map(|[key, words]| format!("{key:width$}  {words}\n")).collect();
+    let mut text = String::new();
+    for [key, words] in rows {
+        let _ = writeln!(text, "{key:width$}  {words}");
+    }
     report::to_stdout(&text);
 }

@@ -60,7 +60,9 @@ fn human(diagnostic: &Diagnostic, workspace: &Workspace) -> String {
     let title = level.primary_title(diagnostic.message.as_str()).id(diagnostic.code.id());
     let mut group = match diagnostic.place.as_ref().and_then(|place| Some((place, workspace.excerpt(&place.file)?))) {
         Some((place, text)) => {
-            let range = place.range.start.min(text.len())..place.range.end.min(text.len());
+            let start = place.range.start.min(text.len());
+            let marked = text.get(start..place.range.end.clamp(start, text.len())).unwrap_or_default();
+            let range = start..start + marked.trim_end().len();
             let mark = AnnotationKind::Primary.span(range).label(diagnostic.label.as_deref());
             title.element(Snippet::source(text).path(&*place.file).annotation(mark))
         }

@@ -1,5 +1,7 @@
 //! `workbook run`: run the experiment of one exhibit and print its values.
 
+use std::fmt::Write as _;
+
 use clap::Args;
 use serde_json::{Map, Value as Json, json};
 
@@ -60,7 +62,7 @@ fn as_text(outcome: &Outcome) -> String {
             Value::Text(words) => words.clone(),
         };
         let error = measured.standard_error.map(|error| format!(" ± {error}")).unwrap_or_default();
-        text.push_str(&format!("{name:width$}  {value}{error}\n"));
+        let _ = writeln!(text, "{name:width$}  {value}{error}");
     }
     text
 }

@@ -1,5 +1,7 @@
 //! `workbook why`: whether an exhibit is fresh or stale, and the parts of its key that differ from the last run's.
 
+use std::fmt::Write as _;
+
 use clap::Args;
 
 use super::{Exit, Options, report};
@@ -40,7 +42,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
             text.push_str("\nwhat differs from the last run:\n");
         }
         for difference in differences {
-            text.push_str(&format!("  {difference}\n"));
+            let _ = writeln!(text, "  {difference}");
         }
     }
     report::to_stdout(&text);

@@ -29,8 +29,11 @@ pub struct Shown {
     pub verdicts: Vec<Verdict>,
 }
 
+/// A result with the digest of its key.
+pub type Keyed = (String, Arc<Outcome>);
+
 /// Draws every exhibit of the plan; `outcomes` are its results with the digests of their keys, in its order, where there are any.
-pub fn show(plan: &Plan, outcomes: Vec<Option<(String, Arc<Outcome>)>>) -> (Vec<Option<Shown>>, Vec<Diagnostic>) {
+pub fn show(plan: &Plan, outcomes: Vec<Option<Keyed>>) -> (Vec<Option<Shown>>, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
     let shown = plan.exhibits.iter().zip(outcomes).map(|(exhibit, outcome)| {
         let (key, outcome) = outcome?;

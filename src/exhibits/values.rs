@@ -16,7 +16,7 @@ pub fn check(course: &Course, plan: &Plan, shown: &[Option<Shown>]) -> Vec<Diagn
             walk(nodes, &mut |value, node| {
                 diagnostics
                     .extend(missing(value, plan, shown).map(|error| error.at(&chapter.file, node.range.clone())));
-            })
+            });
         };
         visit(&chapter.content.nodes);
         plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index).for_each(|exhibit| visit(&exhibit.caption));

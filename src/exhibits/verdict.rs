@@ -1,15 +1,18 @@
 //! Verdicts: whether what a chapter claims of its results is true.
 
 use crate::catalogue::nearest;
+use crate::chart::number;
 use crate::diag::{Code, Diagnostic, Place};
 use crate::kinds::{Measured, Value, Values};
-use crate::plan::{Bound, Claim, Exhibit, Format, Literal, minus};
+use crate::plan::{Bound, Claim, Exhibit, Format, Literal, escape, minus};
 
 /// Whether one bound holds of one value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// The value's name.
     pub value: String,
+    /// The claim that it belongs to: its index among the exhibit's claims, and that of the bound among the claim's.
+    pub claim: (usize, usize),
     /// What was measured.
     pub measured: Measured,
     /// What was claimed of it.
@@ -21,14 +24,14 @@ pub struct Verdict {
 /// Judges every claim of an exhibit; a false one, and one of a value that is not there, are told.
 pub(super) fn judge(exhibit: &Exhibit, values: &Values, diagnostics: &mut Vec<Diagnostic>) -> Vec<Verdict> {
     let mut verdicts = Vec::new();
-    for claim in &exhibit.claims {
+    for (index, claim) in exhibit.claims.iter().enumerate() {
         let place = Place { file: exhibit.place.file.clone(), range: claim.range.clone() };
         let matching: Vec<(&str, &Measured)> = values.iter().filter(|(name, _)| fits(&claim.value, name)).collect();
         if matching.is_empty() {
             diagnostics.push(no_value(exhibit, claim, values, &place));
         }
         for (name, measured) in matching {
-            for bound in &claim.bounds {
+            for (which, bound) in claim.bounds.iter().enumerate() {
                 let holds = match holds(bound, measured, values) {
                     Ok(holds) => holds,
                     Err(message) => {
@@ -36,8 +39,8 @@ pub(super) fn judge(exhibit: &Exhibit, values: &Values, diagnostics: &mut Vec<Di
                         continue;
                     }
                 };
-                let verdict =
-                    Verdict { value: name.to_owned(), measured: measured.clone(), bound: bound.clone(), holds };
+                let (value, measured, bound) = (name.to_owned(), measured.clone(), bound.clone());
+                let verdict = Verdict { value, claim: (index, which), measured, bound, holds };
                 if !holds {
                     diagnostics.push(false_claim(exhibit, &verdict, &place));
                 }
@@ -133,27 +136,41 @@ impl Verdict {
     /// What was claimed, as a reader sees it.
     pub fn bound_html(&self) -> String {
         match &self.bound {
-            Bound::Near { target, within } => format!("{}\u{202f}±\u{202f}{within}", minus(&target.to_string())),
-            Bound::Agrees { with, within } => {
-                format!("within {within} standard errors of <code>{}</code>", crate::plan::escape(with))
+            Bound::Near { target, within } => {
+                format!("{}\u{202f}±\u{202f}{}", plain(*target, *within), plain(*within, *within))
             }
-            _ => minus(&crate::plan::escape(&self.bound_text())),
+            Bound::Agrees { with, within } => {
+                format!("within {within} standard errors of <code>{}</code>", escape(with))
+            }
+            _ => minus(&escape(&self.bound_text())),
         }
     }
 
     /// What was measured, as a reader sees it: as many digits as the bound and the standard error give a meaning to.
     pub fn measured_html(&self) -> String {
-        match (&self.measured.value, self.measured.standard_error) {
-            (Value::Number(_), Some(error)) if error > 0.0 && error.is_finite() => {
-                Format::WithError(decimals(error)).write(&self.measured)
+        let format = match (&self.measured.value, self.measured.standard_error, &self.bound) {
+            (Value::Number(_), Some(error), _) if error > 0.0 && error.is_finite() => {
+                Format::WithError(decimals(error))
             }
-            (Value::Number(_), _) => Format::Significant(4).write(&self.measured),
-            _ => Format::Shortest.write(&self.measured),
-        }
+            (Value::Number(_), _, Bound::Near { within, .. }) if *within > 0.0 => Format::Decimals(decimals(*within)),
+            (Value::Number(_), _, _) => Format::Significant(4),
+            _ => Format::Shortest,
+        };
+        format.write(&self.measured)
     }
 }
 
-/// The decimals that show two digits of a standard error.
+/// A number of a claim: as it was written where that is short, else to the digits that the tolerance gives a meaning to.
+fn plain(value: f64, within: f64) -> String {
+    let text = value.to_string();
+    match text.len() {
+        0..=8 => minus(&text),
+        _ if value == within => number::scientific(value, 1),
+        _ => number::fixed(value, decimals(within)),
+    }
+}
+
+/// The decimals that show two digits of a standard error or a tolerance.
 fn decimals(error: f64) -> usize {
     let text = format!("{error:.1e}");
     let exponent: i32 = text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);

@@ -50,6 +50,10 @@ impl Integrand for Deck {
         Some(0.360_257_498_744_066_95)
     }
 
+    fn variation(&self, _d: usize) -> Option<f64> {
+        Some(3.285_000_820_403_555)
+    }
+
     fn formula(&self) -> &'static str {
         r"e^{\sin(3x^2)}"
     }

@@ -49,6 +49,10 @@ impl Integrand for Identity {
         Some(1.0 / 12.0)
     }
 
+    fn variation(&self, _d: usize) -> Option<f64> {
+        Some(1.0)
+    }
+
     fn formula(&self) -> &'static str {
         r"x"
     }

@@ -2,12 +2,22 @@
 
 use crate::catalogue::Entry;
 
+pub mod additive;
 pub mod deck;
 pub mod disk;
 pub mod edge;
 pub mod expression;
 mod function;
+pub mod g_function;
 pub mod gaussian;
+pub mod genz;
+pub mod genz_continuous;
+pub mod genz_corner_peak;
+pub mod genz_discontinuous;
+pub mod genz_gaussian;
+pub mod genz_oscillatory;
+pub mod genz_product_peak;
+pub mod hardy_krause;
 pub mod identity;
 pub mod product;
 pub mod step;
@@ -16,8 +26,24 @@ pub use expression::ExpressionError;
 pub use function::{Function, Reference};
 
 /// Every integrand, in the order of display.
-pub static INTEGRANDS: &[&dyn Integrand] =
-    &[&deck::Deck, &identity::Identity, &product::Product, &disk::Disk, &edge::Edge, &step::Step, &gaussian::Gaussian];
+pub static INTEGRANDS: &[&dyn Integrand] = &[
+    &deck::Deck,
+    &identity::Identity,
+    &product::Product,
+    &disk::Disk,
+    &edge::Edge,
+    &step::Step,
+    &gaussian::Gaussian,
+    &genz_oscillatory::Oscillatory,
+    &genz_product_peak::ProductPeak,
+    &genz_corner_peak::CornerPeak,
+    &genz_gaussian::GenzGaussian,
+    &genz_continuous::Continuous,
+    &genz_discontinuous::Discontinuous,
+    &additive::Additive,
+    &g_function::GFunction,
+    &hardy_krause::HardyKrause,
+];
 
 /// A function on the unit cube.
 pub trait Integrand: Entry + Sync {
@@ -32,6 +58,12 @@ pub trait Integrand: Entry + Sync {
 
     /// Its exact variance over the cube of `d` dimensions.
     fn variance(&self, d: usize) -> Option<f64>;
+
+    /// Its variation over the cube of `d` dimensions in the sense of Hardy and Krause, anchored at 1, where it is known: the factor of the
+    /// star discrepancy in the bound of Koksma and Hlawka.
+    fn variation(&self, _d: usize) -> Option<f64> {
+        None
+    }
 
     /// It as LaTeX.
     fn formula(&self) -> &'static str;

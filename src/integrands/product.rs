@@ -2,6 +2,8 @@
 //!
 //! **What.** Smooth, and the simplest function that is no sum of functions of one variable: Latin hypercubes take only a part of its variance away.
 //!
+//! **Variation.** 3: one from the mixed derivative, one from each of the two sides at 1.
+//!
 //! **Integral and variance.** 1/4, and 1/9 - 1/16 = 7/144.
 
 use super::Integrand;
@@ -46,6 +48,10 @@ impl Integrand for Product {
 
     fn variance(&self, _d: usize) -> Option<f64> {
         Some(7.0 / 144.0)
+    }
+
+    fn variation(&self, _d: usize) -> Option<f64> {
+        Some(3.0)
     }
 
     fn formula(&self) -> &'static str {

@@ -48,7 +48,7 @@ parameters! {
         /// The dimensions of the unit cube, at least those of the integrand, which are the default.
         dimensions: Option<usize> [in 1..=64],
         /// The slopes of the reference lines beside the data.
-        slopes: Vec<f64> [in -10.0..=0.0] = [-0.5],
+        @drawn slopes: Vec<f64> [in -10.0..=0.0] = [-0.5],
     }
 }
 

@@ -180,7 +180,7 @@ mod drawing {
         if with_errors {
             columns.push(Column::left("Standard error"));
         }
-        columns.push(Column::left("Error"));
+        columns.push(Column::right("Error"));
         if with_errors {
             columns.push(Column::right("$z$"));
         }

@@ -40,9 +40,9 @@ parameters! {
         /// Where it ends.
         to: f64 [in -1e9..=1e9] = 1.0,
         /// Whether the area under the curve is filled.
-        area: bool = true,
+        @drawn area: bool = true,
         /// Whether the mean height is marked.
-        mean: bool = true,
+        @drawn mean: bool = true,
     }
 }
 

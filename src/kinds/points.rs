@@ -52,9 +52,9 @@ parameters! {
         /// One dimension for points on a line, two for the unit square.
         dimensions: usize [in 1..=2] = 2,
         /// Which strata are drawn behind the points.
-        strata: Strata = "none",
+        @drawn strata: Strata = "none",
         /// Whether each point has its index beside it, counted from 0.
-        labels: bool = false,
+        @drawn labels: bool = false,
     }
 }
 

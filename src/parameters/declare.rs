@@ -3,14 +3,15 @@
 /// Declares the parameters of a kind: a struct whose fields are the keys of the fence.
 ///
 /// `name: Type [in limits] [or alias] = default`: limits, another name and a default are optional. The default is a TOML
-/// value, read like any that an author writes.
+/// value, read like any that an author writes. `@drawn` before the name marks what only the drawing reads: it is no part of
+/// the question, so that changing it draws the result anew and runs nothing.
 macro_rules! parameters {
     (
         $(#[doc = $doc:literal])+
         pub struct $struct:ident {
             $(
                 $(#[doc = $meaning:literal])+
-                $name:ident: $type:ty $([in $limits:expr])? $([or $alias:ident])? $(= $default:expr)?,
+                $(@$drawn:ident)? $name:ident: $type:ty $([in $limits:expr])? $([or $alias:ident])? $(= $default:expr)?,
             )+
         }
     ) => {
@@ -41,7 +42,8 @@ macro_rules! parameters {
 
             fn read(fields: &mut $crate::parameters::Fields<'_>) -> Option<Self> {
                 $(let $name = $crate::parameters::read_parameter(fields, &Self::$name());)+
-                Some(Self { $($name: $name?,)+ })
+                // A default stands in for what is wrong, so that the rest can be checked all the same.
+                Some(Self { $($name: $name.or_else(|| $crate::parameters::fallback(&Self::$name()))?,)+ })
             }
 
             fn canonical(&self) -> serde_json::Value {
@@ -51,6 +53,10 @@ macro_rules! parameters {
                     object.insert(stringify!($name).to_owned(), value);
                 )+
                 serde_json::Value::Object(object)
+            }
+
+            fn drawn() -> Vec<&'static str> {
+                [$($((stringify!($drawn), stringify!($name)),)?)+].into_iter().map(|(_, name): (&str, _)| name).collect()
             }
 
             fn abouts(&self) -> Vec<&'static $crate::catalogue::About> {

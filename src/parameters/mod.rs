@@ -139,11 +139,15 @@ pub trait Parameters: Sized + Send + Sync + 'static {
     /// Every parameter, in the order of the declaration.
     fn docs() -> Vec<ParameterDoc>;
 
-    /// Reads every parameter; `None` if any of them is missing or wrong, and then all that is wrong is in `fields`.
+    /// Reads every parameter; all that is wrong is in `fields`, and defaults stand in for it. `None` if one without a default is
+    /// missing or wrong.
     fn read(fields: &mut Fields<'_>) -> Option<Self>;
 
     /// The parameters as an object with every default filled in: equal questions give equal objects.
     fn canonical(&self) -> Value;
+
+    /// The parameters that only the drawing reads.
+    fn drawn() -> Vec<&'static str>;
 
     /// The members of catalogues that the parameters name.
     fn abouts(&self) -> Vec<&'static About>;
@@ -223,8 +227,8 @@ pub(crate) fn read_parameter<T: ParameterType>(fields: &mut Fields<'_>, declared
     if let Some(value) = written.or(aliased) {
         return T::read(value, declared.limits.as_ref(), &mut fields.complaints);
     }
-    if let Some(value) = declared.default.and_then(|text| DeValue::parse(text).ok()) {
-        return T::read(&value, declared.limits.as_ref(), &mut Vec::new());
+    if let Some(default) = fallback(declared) {
+        return Some(default);
     }
     let absent = T::absent();
     if absent.is_none() {
@@ -233,6 +237,12 @@ pub(crate) fn read_parameter<T: ParameterType>(fields: &mut Fields<'_>, declared
         fields.complaints.push(Complaint::new(Code::MissingKey, fields.place("kind"), message).help(help));
     }
     absent
+}
+
+/// The default of the parameter `declared`, if it has one.
+pub(crate) fn fallback<T: ParameterType>(declared: &Declared<T>) -> Option<T> {
+    let value = DeValue::parse(declared.default?).ok()?;
+    T::read(&value, declared.limits.as_ref(), &mut Vec::new())
 }
 
 /// What the parameter `declared` is.

@@ -10,7 +10,7 @@ use super::node::{Callout, CalloutKind, Label, Node, What};
 use crate::catalogue::nearest;
 use crate::diag::Code;
 
-impl<'a> Reader<'a, '_> {
+impl Reader<'_, '_> {
     /// A quote: a callout if it says so, else a quotation.
     pub(super) fn quote(&mut self, kind: Option<BlockQuoteKind>, range: Range<usize>) {
         if let Some(kind) = kind {
@@ -91,11 +91,9 @@ impl<'a> Reader<'a, '_> {
     /// Starts the callout, and its first paragraph if its text goes on behind the first line.
     fn open(&mut self, callout: Callout, range: Range<usize>) {
         self.push(What::CalloutStart(callout), range.clone());
-        match self.events.next() {
-            Some((Event::SoftBreak | Event::HardBreak, _)) => {
-                self.push(What::Markdown(Event::Start(Tag::Paragraph)), range);
-            }
-            _ => { /* The paragraph held the first line alone. */ }
+        // If the paragraph ends here instead, it held the first line alone.
+        if let Some((Event::SoftBreak | Event::HardBreak, _)) = self.events.next() {
+            self.push(What::Markdown(Event::Start(Tag::Paragraph)), range);
         }
     }
 

@@ -135,7 +135,7 @@ fn read_macros(fields: &mut Fields<'_>) -> BTreeMap<String, String> {
             match value.get_ref().as_str() {
                 Some(text) => drop(macros.insert(name.get_ref().trim_start_matches('\\').to_owned(), text.to_owned())),
                 None => {
-                    math.complaints.push(Complaint::new(Code::WrongType, value.span(), "a macro is a string of LaTeX"))
+                    math.complaints.push(Complaint::new(Code::WrongType, value.span(), "a macro is a string of LaTeX"));
                 }
             }
         }

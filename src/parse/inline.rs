@@ -50,7 +50,23 @@ impl<'a> Reader<'a, '_> {
             return self.push(What::Markdown(Event::Text(text).into_static()), range);
         }
         let run = self.gather(&text, range);
+        self.unread_formula(&run);
         self.scan(&run);
+    }
+
+    /// Markdown leaves a formula in the text if its braces do not match or its dollars do not: a dollar with LaTeX behind it.
+    fn unread_formula(&mut self, run: &Run) {
+        let dollars = || run.text.match_indices('$').filter(|(at, _)| !run.escaped.contains(at));
+        for (at, _) in dollars() {
+            let end = run.text[at + 1..].find('$').map_or(run.text.len(), |length| at + length + 2);
+            let inside = &run.text[at + 1..end];
+            if inside.starts_with('$') || inside.contains(['{', '}', '\\', '^', '_']) {
+                let error =
+                    self.error(Code::Math, "this dollar begins a formula that does not end", run.range(at..end));
+                let help = "the braces of a formula match, no space stands inside its dollars; for a dollar itself write `\\$`";
+                return self.diagnostics.push(error.help(help));
+            }
+        }
     }
 
     /// The run of adjacent texts that starts with `text`.

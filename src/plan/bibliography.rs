@@ -11,9 +11,16 @@ use crate::workspace::Workspace;
 #[derive(Debug, Default)]
 pub struct Bibliography {
     library: Library,
+    /// Whether it could not be read.
+    broken: bool,
 }
 
 impl Bibliography {
+    /// Whether every work of it is known: it was read, or the course has none.
+    pub fn is_whole(&self) -> bool {
+        !self.broken
+    }
+
     /// Whether it has a work with this key.
     pub fn contains(&self, key: &str) -> bool {
         self.library.get(key).is_some()
@@ -32,10 +39,11 @@ impl Bibliography {
 
 /// Reads the course's bibliography; what is wrong in it is told.
 pub(super) fn read(course: &Course, workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> Bibliography {
-    let source = course.configuration.bibliography.as_deref().and_then(|path| workspace.text(path));
-    let Some(source) = source else { return Bibliography::default() };
+    let Some(path) = &course.configuration.bibliography else { return Bibliography::default() };
+    // A file that is not there has been told already.
+    let Some(source) = workspace.text(path) else { return Bibliography { broken: true, ..Bibliography::default() } };
     match from_biblatex_str(&source.text) {
-        Ok(library) => Bibliography { library },
+        Ok(library) => Bibliography { library, broken: false },
         Err(errors) => {
             for error in errors {
                 let (range, message) = match error {
@@ -45,7 +53,7 @@ pub(super) fn read(course: &Course, workspace: &Workspace, diagnostics: &mut Vec
                 let message = format!("the bibliography cannot be read: {message}");
                 diagnostics.push(Diagnostic::error(Code::Bibliography, message).at(&source.path, range));
             }
-            Bibliography::default()
+            Bibliography { broken: true, ..Bibliography::default() }
         }
     }
 }

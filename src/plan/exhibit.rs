@@ -1,11 +1,10 @@
 //! Experiment fences: from TOML to validated experiments.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use toml::de::DeTable;
 
-use super::{Exhibit, Reading, claim};
+use super::{Exhibit, Reading, Seen, claim};
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic, Place};
 use crate::kinds::{AnyKind, KINDS};
@@ -16,12 +15,12 @@ use crate::parse::{self, Fence, SourceMap};
 pub(super) fn read_all(
     reading: &Reading<'_>,
     exhibits: &mut Vec<Exhibit>,
-    broken: &mut BTreeSet<String>,
+    seen: &mut Seen,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<Option<usize>> {
     let mut indices = Vec::new();
     for fence in &reading.chapter.content.experiments {
-        let exhibit = read(fence, reading, broken, diagnostics);
+        let exhibit = read(fence, reading, seen, diagnostics);
         indices.push(exhibit.is_some().then_some(exhibits.len()));
         exhibits.extend(exhibit);
     }
@@ -29,12 +28,7 @@ pub(super) fn read_all(
 }
 
 /// Reads one fence; `None` if anything is wrong, and then all that is wrong has been told.
-fn read(
-    fence: &Fence,
-    reading: &Reading<'_>,
-    broken: &mut BTreeSet<String>,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Option<Exhibit> {
+fn read(fence: &Fence, reading: &Reading<'_>, seen: &mut Seen, diagnostics: &mut Vec<Diagnostic>) -> Option<Exhibit> {
     let file = &reading.chapter.file;
     let before = diagnostics.len();
     let (table, errors) = DeTable::parse_recoverable(&fence.text);
@@ -51,15 +45,18 @@ fn read(
         let map = caption.map(fence);
         parse::caption(&caption.text, file, map, reading.workspace, diagnostics)
     });
+    let place = Place { file: Arc::clone(file), range: fence.head(&reading.workspace.text(file)?.text) };
+    if let Some(id) = &head.id {
+        seen.enter(id, &place, diagnostics);
+    }
     if diagnostics.len() > before {
-        broken.extend(head.id);
+        seen.fail(reading.index, head.id, caption);
         return None;
     }
-    let head_range = fence.head(&reading.workspace.text(file)?.text);
     Some(Exhibit {
         id: head.id?,
         chapter: reading.index,
-        place: Place { file: Arc::clone(file), range: head_range },
+        place,
         caption: caption?,
         alt: head.alt,
         claims: claims.into_iter().map(|claim| claim::Claim { range: fence.map.range(claim.range), ..claim }).collect(),

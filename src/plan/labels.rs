@@ -171,6 +171,7 @@ impl Numbering<'_> {
     }
 
     fn define(&mut self, id: &str, kind: LabelKind, number: String, place: Place) {
+        // Fences with the same id have been told while they were read.
         if let Some(before) = self.labels.targets.get(id) {
             let message = format!("the id `{id}` is used twice");
             let first = format!(
@@ -268,12 +269,11 @@ impl Numbering<'_> {
             }
         };
         let number = self.next(numbered);
-        match (label, kind.prefix()) {
-            (Some(label), Some(prefix)) => self.labelled(label, prefix, numbered, number, at),
-            _ => {
-                let id = format!("{}-{}", numbered.word().to_lowercase(), number.replace('.', "-"));
-                self.labels.anchors.insert((self.index, at), Anchor { id, number });
-            }
+        if let (Some(label), Some(prefix)) = (label, kind.prefix()) {
+            self.labelled(label, prefix, numbered, number, at);
+        } else {
+            let id = format!("{}-{}", numbered.word().to_lowercase(), number.replace('.', "-"));
+            self.labels.anchors.insert((self.index, at), Anchor { id, number });
         }
     }
 

@@ -1,12 +1,11 @@
 //! Listing fences: code of this very library, as it was compiled, or a file of the course.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use toml::de::DeTable;
 
-use super::Reading;
 use super::exhibit::{Quoted, bad_id, tell};
+use super::{Reading, Seen};
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic, Place};
 use crate::parameters::{Complaint, Fields, Parameters, parameters};
@@ -51,24 +50,19 @@ pub struct Listing {
 pub(super) fn read_all(
     reading: &Reading<'_>,
     listings: &mut Vec<Listing>,
-    broken: &mut BTreeSet<String>,
+    seen: &mut Seen,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<Option<usize>> {
     let mut indices = Vec::new();
     for fence in &reading.chapter.content.listings {
-        let listing = read(fence, reading, broken, diagnostics);
+        let listing = read(fence, reading, seen, diagnostics);
         indices.push(listing.is_some().then_some(listings.len()));
         listings.extend(listing);
     }
     indices
 }
 
-fn read(
-    fence: &Fence,
-    reading: &Reading<'_>,
-    broken: &mut BTreeSet<String>,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Option<Listing> {
+fn read(fence: &Fence, reading: &Reading<'_>, seen: &mut Seen, diagnostics: &mut Vec<Diagnostic>) -> Option<Listing> {
     let file = &reading.chapter.file;
     let before = diagnostics.len();
     let (table, errors) = DeTable::parse_recoverable(&fence.text);
@@ -87,13 +81,15 @@ fn read(
     tell(fields.complaints, fence, reading, diagnostics);
     let caption =
         caption.map(|caption| parse::caption(&caption.text, file, caption.map(fence), reading.workspace, diagnostics));
+    let place = Place { file: Arc::clone(file), range: fence.head(&reading.workspace.text(file)?.text) };
+    if let Some(written) = &written {
+        seen.enter(&written.id, &place, diagnostics);
+    }
     if diagnostics.len() > before {
-        broken.extend(written.map(|written| written.id));
+        seen.fail(reading.index, written.map(|written| written.id), caption);
         return None;
     }
-    let head = fence.head(&reading.workspace.text(file)?.text);
     let (code, language, source) = code?;
-    let place = Place { file: Arc::clone(file), range: head };
     Some(Listing { id: written?.id, chapter: reading.index, place, caption: caption?, code, language, source })
 }
 

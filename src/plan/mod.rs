@@ -10,8 +10,8 @@ mod labels;
 pub mod links;
 mod listing;
 mod references;
+mod seen;
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::diag::{Diagnostic, Place};
@@ -26,6 +26,7 @@ pub(crate) use format::{escape, minus};
 pub use formula::Converter;
 pub use labels::{LabelKind, Labels, Section, Target};
 pub use listing::Listing;
+pub use seen::Seen;
 
 /// All that is due for a book.
 pub struct Plan {
@@ -37,8 +38,8 @@ pub struct Plan {
     pub labels: Labels,
     /// The works that chapters cite.
     pub bibliography: Bibliography,
-    /// The ids of fences that are wrong: what refers to them is not to blame.
-    pub broken: BTreeSet<String>,
+    /// What was seen of fences, the wrong ones included.
+    pub seen: Seen,
     /// For each chapter, the exhibit of each of its experiment fences.
     pub exhibit_of: Vec<Vec<Option<usize>>>,
     /// For each chapter, the listing of each of its listing fences.
@@ -74,14 +75,14 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
         listings: Vec::new(),
         labels: Labels::default(),
         bibliography,
-        broken: BTreeSet::new(),
+        seen: Seen::default(),
         exhibit_of: Vec::new(),
         listing_of: Vec::new(),
     };
     for (index, chapter) in course.chapters.iter().enumerate() {
         let reading = Reading { chapter, index, seed: course.configuration.seed, workspace };
-        plan.exhibit_of.push(exhibit::read_all(&reading, &mut plan.exhibits, &mut plan.broken, &mut diagnostics));
-        plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut plan.broken, &mut diagnostics));
+        plan.exhibit_of.push(exhibit::read_all(&reading, &mut plan.exhibits, &mut plan.seen, &mut diagnostics));
+        plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut plan.seen, &mut diagnostics));
     }
     plan.labels = labels::number(course, &plan, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);

@@ -22,6 +22,7 @@ pub(super) fn check(course: &Course, plan: &Plan, diagnostics: &mut Vec<Diagnost
         for exhibit in plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index) {
             checking.nodes(&exhibit.caption);
         }
+        plan.seen.captions(index).for_each(|caption| checking.nodes(caption));
         for listing in plan.listings.iter().filter(|listing| listing.chapter == index) {
             checking.nodes(&listing.caption);
         }
@@ -59,14 +60,14 @@ impl Checking<'_> {
     }
 
     fn reference(&mut self, id: &str, range: &Range<usize>) {
-        if self.plan.labels.target(id).is_none() && !self.plan.broken.contains(id) {
+        if self.plan.labels.target(id).is_none() && !self.plan.seen.is_wrong(id) {
             let near = nearest(id, self.plan.labels.ids()).map(|near| format!("did you mean `@{near}`?"));
             self.tell(Code::MissingTarget, format!("nothing in the book has the id `{id}`"), range, near);
         }
     }
 
     fn citation(&mut self, cited: &Cited) {
-        if !self.plan.bibliography.contains(&cited.key) {
+        if self.plan.bibliography.is_whole() && !self.plan.bibliography.contains(&cited.key) {
             let near =
                 nearest(&cited.key, self.plan.bibliography.keys()).map(|near| format!("did you mean `@{near}`?"));
             let message = format!("the bibliography has no work `{}`", cited.key);
@@ -76,7 +77,7 @@ impl Checking<'_> {
 
     /// The exhibit of a value; whether it gives the value is known once it has run.
     fn value(&mut self, value: &ValueUse, range: &Range<usize>) {
-        if self.plan.exhibit(&value.exhibit).is_none() && !self.plan.broken.contains(&value.exhibit) {
+        if self.plan.exhibit(&value.exhibit).is_none() && !self.plan.seen.is_wrong(&value.exhibit) {
             let ids = self.plan.exhibits.iter().map(|exhibit| exhibit.id.as_str());
             let near = nearest(&value.exhibit, ids).map(|near| format!("did you mean `{near}`?"));
             self.tell(Code::UnknownValue, format!("there is no exhibit `{}`", value.exhibit), range, near);

@@ -80,7 +80,7 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
         kind: exhibit.experiment.kind().about().key,
         seed: exhibit.seed,
         key: &shown.key[..SHORT_KEY.min(shown.key.len())],
-        claims: shown.verdicts.iter().map(claim).collect(),
+        claims: claims(&shown.verdicts, exhibit),
         parameters: parameters(exhibit),
     };
     let html = rendering.templates.fill("exhibit.html", &ExhibitPart { exhibit: context }, &mut diagnostics);
@@ -111,14 +111,46 @@ fn label(rendering: &Rendering<'_>, id: &str) -> String {
         .map_or_else(String::new, |target| format!("{} {}", target.kind.word(), target.number))
 }
 
-fn claim(verdict: &Verdict) -> ClaimContext {
-    let statement = format!(
-        "<code>{}</code> = {} <span class=\"bound\">(claimed: {})</span>",
-        escape(&verdict.value),
-        verdict.measured_html(),
-        verdict.bound_html()
-    );
+/// More verdicts than this on one claim are told in one line.
+const LISTED: usize = 3;
+
+/// The claims of an exhibit with their verdicts: one line each, or one for all values that a `*` stands for if they are many.
+fn claims(verdicts: &[Verdict], exhibit: &Exhibit) -> Vec<ClaimContext> {
+    let mut claims: Vec<(usize, usize)> = verdicts.iter().map(|verdict| verdict.claim).collect();
+    claims.sort_unstable();
+    claims.dedup();
+    let of = |claim| verdicts.iter().filter(|verdict| verdict.claim == claim).collect::<Vec<_>>();
+    claims
+        .into_iter()
+        .flat_map(|claim| match of(claim) {
+            many if many.len() > LISTED => vec![summed_up(&many, &exhibit.claims[claim.0].value)],
+            few => few.into_iter().map(stated).collect(),
+        })
+        .collect()
+}
+
+fn stated(verdict: &Verdict) -> ClaimContext {
+    let (value, measured) = (escape(&verdict.value), verdict.measured_html());
+    let statement =
+        format!("<code>{value}</code> = {measured} <span class=\"bound\">(claimed: {})</span>", verdict.bound_html());
     ClaimContext { statement, holds: verdict.holds }
+}
+
+/// One line for all values of a claim: how many there are, and from where to where they reach.
+fn summed_up(verdicts: &[&Verdict], pattern: &str) -> ClaimContext {
+    let mut numbers: Vec<(f64, &Verdict)> =
+        verdicts.iter().filter_map(|verdict| Some((verdict.measured.number()?, *verdict))).collect();
+    numbers.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let range = match numbers.as_slice() {
+        [(_, least), .., (_, greatest)] => format!(", from {} to {}", least.measured_html(), greatest.measured_html()),
+        _ => String::new(),
+    };
+    let bound = verdicts.first().map(|verdict| verdict.bound_html()).unwrap_or_default();
+    let (pattern, count) = (escape(pattern), verdicts.len());
+    let statement = format!(
+        "<code>{pattern}</code>: {count} values{range} <span class=\"bound\">(claimed of each: {bound})</span>"
+    );
+    ClaimContext { statement, holds: verdicts.iter().all(|verdict| verdict.holds) }
 }
 
 fn parameters(exhibit: &Exhibit) -> Vec<ParameterContext> {

@@ -10,6 +10,9 @@ use crate::diag::Diagnostic;
 use crate::parse::{Callout, CalloutKind, Formula, Label, Node, ValueUse, What};
 use crate::plan::{Format, escape, links};
 
+/// The character that forbids a line's break where it stands.
+const JOINER: char = '\u{2060}';
+
 /// Writes the nodes of one chapter.
 pub(super) struct Writer<'a> {
     rendering: &'a Rendering<'a>,
@@ -66,7 +69,7 @@ impl<'a> Writer<'a> {
         let nodes = &self.rendering.course.chapters[self.chapter].content.nodes;
         for (at, node) in nodes.iter().enumerate() {
             self.at = Some(at);
-            self.node(node);
+            self.node(node, nodes.get(at + 1));
         }
         let footnotes = self.footnotes.list();
         Written { body: self.out, footnotes, diagnostics: self.diagnostics }
@@ -74,14 +77,16 @@ impl<'a> Writer<'a> {
 
     /// Nodes within a line, such as a caption.
     pub(super) fn inline(mut self, nodes: &[Node]) -> (String, Vec<Diagnostic>) {
-        nodes.iter().for_each(|node| self.node(node));
+        for (at, node) in nodes.iter().enumerate() {
+            self.node(node, nodes.get(at + 1));
+        }
         (self.out, self.diagnostics)
     }
 
-    fn node(&mut self, node: &Node) {
+    fn node(&mut self, node: &Node, next: Option<&Node>) {
         match &node.what {
             What::Markdown(event) => self.event(event),
-            What::Formula(formula) => self.formula(formula, false),
+            What::Formula(formula) => self.inline_formula(formula, next),
             What::Equation { formula, label } => self.equation(formula, label.as_ref()),
             What::Experiment(fence) => self.exhibit(*fence),
             What::Listing(fence) => self.listing(*fence),
@@ -129,7 +134,7 @@ impl<'a> Writer<'a> {
             Tag::CodeBlock(kind) => self.code_block(kind),
             Tag::List(None) => self.out.push_str("<ul>\n"),
             Tag::List(Some(1)) => self.out.push_str("<ol>\n"),
-            Tag::List(Some(start)) => drop(write!(self.out, "<ol start=\"{start}\">\n")),
+            Tag::List(Some(start)) => drop(writeln!(self.out, "<ol start=\"{start}\">")),
             Tag::Item => self.out.push_str("<li>"),
             Tag::FootnoteDefinition(name) => {
                 self.footnotes.outside = Some((name.to_string(), std::mem::take(&mut self.out)));
@@ -203,7 +208,7 @@ impl<'a> Writer<'a> {
                 section.id, section.number
             );
         }
-        let _ = write!(self.out, "</{level}>\n");
+        let _ = writeln!(self.out, "</{level}>");
     }
 
     fn code_block(&mut self, kind: &CodeBlockKind<'_>) {
@@ -233,6 +238,18 @@ impl<'a> Writer<'a> {
         let href = links::resolve(url, self.rendering.course).unwrap_or_default();
         let title = if title.is_empty() { String::new() } else { format!(" title=\"{}\"", escape(title)) };
         let _ = write!(self.out, "<a href=\"{}\"{title}>", escape(&href));
+    }
+
+    /// A formula within a line. Browsers break lines on either side of one: what touches it is kept with it.
+    fn inline_formula(&mut self, formula: &Formula, next: Option<&Node>) {
+        if self.out.ends_with(['(', '[', '“', '‘', '-', '–', '/']) {
+            self.out.push(JOINER);
+        }
+        self.formula(formula, false);
+        let touches = |text: &str| text.starts_with(|c: char| !c.is_whitespace());
+        if matches!(next, Some(Node { what: What::Markdown(Event::Text(text)), .. }) if touches(text)) {
+            self.out.push(JOINER);
+        }
     }
 
     fn formula(&mut self, formula: &Formula, display: bool) {
@@ -304,16 +321,16 @@ impl<'a> Writer<'a> {
         let head = format!("<span class=\"callout-label\">{label}</span>{title}");
         let class = format!("callout callout-{}", kind.name().to_lowercase());
         let _ = match (kind, anchor) {
-            (kind, _) if kind.folded() => write!(self.out, "<details class=\"{class}\"><summary>{head}</summary>\n"),
-            (_, Some(anchor)) => write!(
+            (kind, _) if kind.folded() => writeln!(self.out, "<details class=\"{class}\"><summary>{head}</summary>"),
+            (_, Some(anchor)) => writeln!(
                 self.out,
-                "<section class=\"{class}\" id=\"{}\"><p class=\"callout-title\">{head}</p>\n",
+                "<section class=\"{class}\" id=\"{}\"><p class=\"callout-title\">{head}</p>",
                 anchor.id
             ),
             (CalloutKind::Definition | CalloutKind::Exercise, None) => {
-                write!(self.out, "<section class=\"{class}\"><p class=\"callout-title\">{head}</p>\n")
+                writeln!(self.out, "<section class=\"{class}\"><p class=\"callout-title\">{head}</p>")
             }
-            _ => write!(self.out, "<aside class=\"{class}\"><p class=\"callout-title\">{head}</p>\n"),
+            _ => writeln!(self.out, "<aside class=\"{class}\"><p class=\"callout-title\">{head}</p>"),
         };
     }
 
@@ -363,7 +380,7 @@ impl Footnotes {
                 Some(text) => format!("{text}{back}</p>"),
                 None => format!("{text}{back}"),
             };
-            let _ = write!(list, "<li id=\"fn-{number}\">{text}</li>\n");
+            let _ = writeln!(list, "<li id=\"fn-{number}\">{text}</li>");
         }
         list.push_str("</ol></section>\n");
         list

@@ -7,7 +7,7 @@ use tera::{Context, Tera};
 
 use crate::chart::palette;
 use crate::diag::{Code, Diagnostic};
-use crate::workspace::{TEMPLATES, Workspace};
+use crate::workspace::{TEMPLATES, Workspace, extension};
 
 /// The templates and assets that every course has unless it brings its own.
 mod embedded {
@@ -41,7 +41,7 @@ impl Templates {
             files.extend(own(path).map(|path| (path, bytes.to_vec())));
         }
         let mut tera = Tera::new();
-        let pages = files.iter().filter(|(path, _)| path.ends_with(".html"));
+        let pages = files.iter().filter(|(path, _)| extension(path) == Some("html"));
         let pages: Vec<(String, String)> =
             pages.map(|(path, bytes)| (path.clone(), String::from_utf8_lossy(bytes).into_owned())).collect();
         if let Err(error) = tera.add_raw_templates(pages) {
@@ -50,7 +50,7 @@ impl Templates {
         }
         let prefix = format!("{ASSETS}/");
         let mut assets: BTreeMap<String, Vec<u8>> =
-            files.into_iter().filter(|(path, _)| path.starts_with(&prefix) && !path.ends_with(".md")).collect();
+            files.into_iter().filter(|(path, _)| path.starts_with(&prefix) && extension(path) != Some("md")).collect();
         assets.entry(format!("{ASSETS}/style.css")).or_default().extend(palette::css().into_bytes());
         Some(Self { tera, assets })
     }

@@ -41,7 +41,7 @@ impl Key {
         Self {
             format: FORMAT,
             kind: experiment.kind().about().key.to_owned(),
-            parameters: experiment.parameters(),
+            parameters: experiment.question(),
             seed,
             code: sources.code(experiment.abouts().into_iter().map(|about| about.file)),
             engine: sources.engine(),

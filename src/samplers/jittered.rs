@@ -69,19 +69,7 @@ impl Sampler for Jittered {
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        refused::check(n, d, usize::MAX)?;
-        let dimensions = d as u32;
-        let k = root(n as u64, dimensions);
-        let power = |k: u64| k.checked_pow(dimensions).map(|power| power as usize);
-        if power(k) == Some(n) {
-            return Ok(());
-        }
-        Err(Refused::Count {
-            n,
-            below: power(k).filter(|&n| n > 0),
-            above: power(k + 1),
-            rule: "k^d for a whole number k",
-        })
+        refused::power(n, d)
     }
 
     fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {

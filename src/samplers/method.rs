@@ -173,6 +173,29 @@ impl Method {
         kept.chain(scramble.is_random().then_some(Guarantee::Unbiased)).collect()
     }
 
+    /// The net that [`Guarantee::Whole`] promises of all `n` points in `d` dimensions, if it is promised.
+    pub fn whole_net(&self, n: usize, d: usize) -> Option<Net> {
+        self.guarantees().contains(&Guarantee::Whole).then(|| self.sampler.whole_net(n, d)).flatten()
+    }
+
+    /// Random access: coordinate `axis < d` of point `index`, the same bits as in [`points`](Self::points); `None` where n or d are not admitted, or
+    /// where the points depend on each other. Sequences, which promise [`Guarantee::Prefix`], heed no n, and give every index; sets give those below n.
+    ///
+    /// ```
+    /// use workbook::{samplers::Method, seed::Seed};
+    /// let method = Method::parse("halton+owen")?;
+    /// let sample = method.sample(100, 3, Seed::new(1)).ok_or("a sequence")?;
+    /// assert_eq!(sample(42, 2), method.points(100, 3, Seed::new(1))?.coordinates()[42 * 3 + 2]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn sample(&self, n: usize, d: usize, seed: Seed) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
+        self.admits(n, d).ok()?;
+        match self.scramble {
+            None => self.sampler.at(n, d, seed.named(self.sampler.about().key)),
+            Some(scramble) => scrambles::sample(self.sampler, scramble, n, d, seed),
+        }
+    }
+
     /// The net that [`Guarantee::Net`] promises in `d` dimensions, if it is promised.
     pub fn net(&self, d: usize) -> Option<Net> {
         self.guarantees().contains(&Guarantee::Net).then(|| self.sampler.net(d)).flatten()

@@ -8,15 +8,38 @@ use crate::catalogue::Entry;
 use crate::points::Points;
 use crate::seed::Seed;
 
+pub mod best_candidate;
+pub mod bridson;
+pub mod centred_grid;
+pub mod correlated_multi_jittered;
+pub mod dart_throwing;
 pub mod digits;
+pub mod enumeration;
+pub mod faure;
+pub mod fibonacci;
+pub mod folded;
+pub mod grid;
 pub mod halton;
+pub mod hammersley;
 pub mod independent;
 pub mod jittered;
+pub mod korobov;
+pub mod kronecker;
+pub mod larcher_pillichshammer;
 pub mod latin_hypercube;
+pub mod maximal_poisson;
 mod method;
+pub mod multi_jittered;
+pub mod orthogonal_array;
+pub mod orthogonal_array_bush;
+pub mod padded_jittered;
+pub mod poisson;
+pub mod progressive_multi_jittered;
 mod refused;
 pub mod sobol;
+pub mod uniform_jitter;
 pub mod van_der_corput;
+pub mod zero_two;
 
 pub use digits::Radix;
 pub use method::{Method, UnknownMethod};
@@ -26,11 +49,32 @@ pub(crate) use refused::{allocate, points};
 /// Every sampler, in the order of display.
 pub static SAMPLERS: &[&dyn Sampler] = &[
     &independent::Independent,
+    &grid::Grid,
+    &centred_grid::CentredGrid,
+    &uniform_jitter::UniformJitter,
     &jittered::Jittered,
+    &padded_jittered::PaddedJittered,
     &latin_hypercube::LatinHypercube,
+    &multi_jittered::MultiJittered,
+    &correlated_multi_jittered::CorrelatedMultiJittered,
+    &orthogonal_array::OrthogonalArray,
+    &orthogonal_array_bush::OrthogonalArrayBush,
+    &dart_throwing::DartThrowing,
+    &bridson::Bridson,
+    &maximal_poisson::MaximalPoisson,
+    &best_candidate::BestCandidate,
     &van_der_corput::VanDerCorput,
     &halton::Halton,
+    &hammersley::Hammersley,
+    &folded::Folded,
+    &faure::Faure,
     &sobol::Sobol,
+    &zero_two::ZeroTwo,
+    &larcher_pillichshammer::LarcherPillichshammer,
+    &progressive_multi_jittered::ProgressiveMultiJittered,
+    &korobov::Korobov,
+    &fibonacci::Fibonacci,
+    &kronecker::Kronecker,
 ];
 
 /// A way to place points in the unit cube.
@@ -49,9 +93,31 @@ pub trait Sampler: Entry + Sync {
         None
     }
 
+    /// The net that [`Guarantee::Whole`] promises of all `n` points in `d` dimensions.
+    fn whole_net(&self, _n: usize, _d: usize) -> Option<Net> {
+        None
+    }
+
+    /// Into how many slabs each axis is cut for the cells of [`Guarantee::Strata`]; `n` and `d` are admitted.
+    fn strata(&self, n: usize, d: usize) -> Vec<usize> {
+        vec![digits::root(n as u64, d as u32) as usize; d]
+    }
+
+    /// Coordinate `axis` of point `index`, pure by position, for the `n` points of `d` dimensions that `seed` gives; `None` where points
+    /// depend on each other. Sequences heed no n.
+    fn at(&self, n: usize, d: usize, _seed: Seed) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
+        let digital = self.digital(n, d)?;
+        Some(Box::new(move |index, axis| digital.radix(axis).coordinate(digital.numerator(index, axis))))
+    }
+
     /// In which base its coordinates are digits, which says what scrambles it can be combined with.
     fn digits(&self) -> Digits {
         Digits::None
+    }
+
+    /// Whether the bases of all axes are prime.
+    fn has_prime_bases(&self) -> bool {
+        true
     }
 
     /// The digits of its coordinates for `n` points of `d` dimensions, both admitted; `None` where there are none.
@@ -108,8 +174,22 @@ pub enum Guarantee {
     Strata,
     /// Every aligned block of b^m points is a (t, m, d)-net in base b, with the parameters of [`Sampler::net`].
     Net,
+    /// All n points together are a (t, m, d)-net, with the parameters of [`Sampler::whole_net`].
+    Whole,
     /// Of any consecutive b1^k1 ... bd^kd points, one falls in each of the equal boxes that cut axis j into bj^kj.
     Boxes,
+    /// One point in each cell of the square grid of the axes 2p and 2p + 1, for every p.
+    Pairs,
+    /// Any t axes show every cell of the grid of n^(1/t) slabs once.
+    Strength {
+        /// The number of axes t.
+        t: u32,
+    },
+    /// No two points are nearer on the torus than so many per cent of the largest possible distance.
+    Separated {
+        /// The relative radius in per cent.
+        percent: u32,
+    },
     /// Over seeds the points together are uniform, so that the mean is unbiased.
     Unbiased,
     /// The same points for every seed.
@@ -118,11 +198,22 @@ pub enum Guarantee {
 
 impl std::fmt::Display for Guarantee {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
+        f.write_str(match *self {
+            Self::Pairs => "one point in each cell of the square grid of the axes 2p and 2p + 1",
+            Self::Strength { t } => {
+                return write!(f, "one point in each cell of any {t} axes cut into n^(1/{t}) slabs");
+            }
+            Self::Separated { percent } => {
+                return write!(
+                    f,
+                    "no two points nearer on the torus than {percent} % of the largest possible distance"
+                );
+            }
             Self::Prefix => "the first m of n points are the m points",
             Self::Latin => "one point in each of the n slabs of every axis",
             Self::Strata => "one point in each cell of the grid of n equal cells",
             Self::Net => "every aligned block of b^m points is a (t, m, d)-net in base b",
+            Self::Whole => "all n = b^m points together are a (t, m, d)-net in base b",
             Self::Boxes => {
                 "one point in each box of sides b_j^-k_j among as many consecutive points as there are boxes"
             }

@@ -5,10 +5,29 @@ use crate::points::Points;
 use crate::samplers::{Guarantee, Radix, Refused, Sampler, allocate, points as checked};
 use crate::seed::Seed;
 
+pub mod braaten_weller;
+pub mod cranley_patterson;
+pub mod faure_permutation;
+pub mod linear;
+pub mod owen;
+pub mod owen_hash;
+pub mod owen_shuffled;
+pub mod permutation;
+pub mod walk;
 pub mod xor;
 
 /// Every scramble, in the order of display.
-pub static SCRAMBLES: &[&dyn Scramble] = &[&xor::Xor];
+pub static SCRAMBLES: &[&dyn Scramble] = &[
+    &xor::Xor,
+    &cranley_patterson::CranleyPatterson,
+    &permutation::Permutation,
+    &faure_permutation::FaurePermutation,
+    &braaten_weller::BraatenWeller,
+    &linear::Linear,
+    &owen::Owen,
+    &owen_hash::OwenHash,
+    &owen_shuffled::OwenShuffled,
+];
 
 /// A map of the coordinates of a sampler, one for each axis, that keeps what makes the sampler good.
 pub trait Scramble: Entry + Sync {
@@ -97,6 +116,35 @@ pub(crate) fn points(
         }
     }
     checked(d, coordinates)
+}
+
+/// Random access to the scrambled points.
+pub(crate) fn sample(
+    sampler: &dyn Sampler,
+    scramble: &dyn Scramble,
+    n: usize,
+    d: usize,
+    seed: Seed,
+) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
+    let own = seed.named(scramble.about().key);
+    let order = scramble.order(own);
+    let index = move |index| order.as_ref().map_or(index, |order| order(index));
+    if let Some(digital) = sampler.digital(n, d) {
+        let actions: Vec<Action> = (0..d).map(|axis| scramble.action(digital.radix(axis), axis, own)).collect();
+        return Some(Box::new(move |i, axis| {
+            let numerator = digital.numerator(index(i), axis);
+            match &actions[axis] {
+                Action::Digits(map) => map.coordinate(numerator),
+                Action::Coordinate(map) => map(digital.radix(axis).coordinate(numerator)),
+            }
+        }));
+    }
+    let plain = sampler.at(n, d, seed.named(sampler.about().key))?;
+    let actions: Vec<Action> = (0..d).map(|axis| scramble.action(Radix::new(2), axis, own)).collect();
+    Some(Box::new(move |i, axis| match &actions[axis] {
+        Action::Coordinate(map) => map(plain(index(i), axis)),
+        Action::Digits(_) => f64::NAN,
+    }))
 }
 
 /// Applies `action` to one axis of a block.

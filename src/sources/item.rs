@@ -297,8 +297,8 @@ mod tests {
 
     #[test]
     fn finds_items_of_this_library() {
-        let found = item("run::digest::Digest::parse").unwrap();
-        assert_eq!(found.file, "run/digest.rs");
+        let found = item("sources::digest::Digest::parse").unwrap();
+        assert_eq!(found.file, "sources/digest.rs");
         assert!(found.text.starts_with("pub fn parse(text: &str) -> Option<Self> {"));
         assert_eq!(item("crate::catalogue::find").unwrap().file, "catalogue.rs");
         assert_eq!(item("sources::text").unwrap().file, "sources/mod.rs");

@@ -1,6 +1,7 @@
 //! Statistics of experiments: portable functions, moments, quadrature, regression, the normal law, histograms.
 
 pub mod histogram;
+pub mod inference;
 pub mod moments;
 pub mod normal;
 pub mod portable;

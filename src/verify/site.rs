@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diag::{Code, Diagnostic};
 use crate::render::Book;
+use crate::workspace::extension;
 
 /// What a page's tags say about ids and links.
 #[derive(Default)]
@@ -16,7 +17,7 @@ struct Page<'a> {
 /// Complains of links within the book that lead nowhere, of other hosts' resources, and of ids that stand twice on a page.
 pub fn check(book: &Book) -> Vec<Diagnostic> {
     let mut pages = BTreeMap::new();
-    for (path, bytes) in book.files.iter().filter(|(path, _)| path.ends_with(".html")) {
+    for (path, bytes) in book.files.iter().filter(|(path, _)| extension(path) == Some("html")) {
         let text = std::str::from_utf8(bytes).unwrap_or_default();
         pages.insert(path.as_str(), read(text));
     }
@@ -58,11 +59,8 @@ fn read(text: &str) -> Page<'_> {
         let close = tag_end(tag);
         for (name, value) in attributes(&tag[..close]) {
             match name {
-                "id" => {
-                    if !page.ids.insert(value) {
-                        page.repeated.insert(value);
-                    }
-                }
+                "id" if page.ids.contains(value) => drop(page.repeated.insert(value)),
+                "id" => drop(page.ids.insert(value)),
                 "href" | "src" => page.links.push(value),
                 _ => {}
             }

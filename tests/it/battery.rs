@@ -1,11 +1,13 @@
 //! The battery: every sampler, alone and with every scramble, is held to what it declares over many n, d and seeds.
 //!
-//! Each check is a function from points to a verdict, so that `bite.rs` can run it on samplers that are broken on purpose.
+//! The checks themselves are in `checks.rs`.
 
-use workbook::points::{Points, slab};
+use crate::checks::{
+    fills_boxes, has_strength, in_range, is_block_net, is_latin, is_net, is_stratified, relative_radius, worst_moment,
+};
+use workbook::points::Points;
 use workbook::samplers::{Guarantee, Method};
 use workbook::seed::Seed;
-use workbook::stats::moments::Moments;
 
 /// The counts tried: powers of 2, 3, 5 and of small cubes, and what lies between.
 const COUNTS: &[usize] = &[1, 2, 3, 4, 5, 7, 8, 9, 16, 25, 27, 31, 49, 64, 81, 100, 121, 125, 128, 243, 256];
@@ -23,101 +25,6 @@ fn cases() -> impl Iterator<Item = (Method, usize, usize)> {
 
 fn points(method: Method, n: usize, d: usize, seed: u64) -> Points {
     method.points(n, d, Seed::new(seed)).unwrap_or_else(|error| panic!("{method}: {error}"))
-}
-
-/// All coordinates in [0, 1).
-pub fn in_range(points: &Points) -> bool {
-    points.coordinates().iter().all(|x| (0.0..1.0).contains(x))
-}
-
-/// Every interval of the 1/n grid on every axis holds one point.
-pub fn is_latin(points: &Points) -> bool {
-    let n = points.len();
-    (0..points.dimensions()).all(|axis| {
-        let mut hit = vec![false; n];
-        points.axis(axis).for_each(|x| hit[slab(x, n)] = true);
-        hit.iter().all(|&hit| hit)
-    })
-}
-
-/// Every cell of the k^d = n grid holds one point.
-pub fn is_stratified(points: &Points) -> bool {
-    let (n, d) = (points.len(), points.dimensions());
-    let k = (1..=n).find(|k| k.pow(d as u32) >= n).unwrap_or(1);
-    occupancy(points.rows(), &vec![k; d]).iter().all(|&count| count == 1)
-}
-
-/// How many points fall in each box of the grid with `cuts[j]` slabs on axis j.
-fn occupancy<'a>(rows: impl Iterator<Item = &'a [f64]>, cuts: &[usize]) -> Vec<u32> {
-    let mut counts = vec![0; cuts.iter().product()];
-    for row in rows {
-        let cell = row.iter().zip(cuts).rev().fold(0, |cell, (&x, &k)| cell * k + slab(x, k));
-        counts[cell] += 1;
-    }
-    counts
-}
-
-/// All ways to write `total` as a sum of `parts` whole numbers.
-fn compositions(total: u32, parts: usize) -> Vec<Vec<u32>> {
-    if parts == 1 {
-        return vec![vec![total]];
-    }
-    (0..=total)
-        .flat_map(|first| {
-            compositions(total - first, parts - 1).into_iter().map(move |mut rest| {
-                rest.insert(0, first);
-                rest
-            })
-        })
-        .collect()
-}
-
-/// Every elementary interval of volume b^(t-m) holds b^t of the b^m points of each aligned block.
-pub fn is_net(points: &Points, base: u32, t: u32) -> bool {
-    let (n, d, base) = (points.len(), points.dimensions(), base as usize);
-    let mut m = t;
-    while base.pow(m) <= n {
-        let block = base.pow(m);
-        let shapes = compositions(m - t, d);
-        for rows in points.coordinates().chunks_exact(block * d) {
-            for shape in &shapes {
-                let cuts: Vec<usize> = shape.iter().map(|&k| base.pow(k)).collect();
-                if occupancy(rows.chunks_exact(d), &cuts).iter().any(|&count| count as usize != base.pow(t)) {
-                    return false;
-                }
-            }
-        }
-        m += 1;
-    }
-    true
-}
-
-/// Of every b1^k1 ... bd^kd consecutive points, wherever they start, one lies in each box, for all exponents that fit.
-pub fn fills_boxes(points: &Points, bases: &[usize]) -> bool {
-    let (n, d) = (points.len(), points.dimensions());
-    let mut shapes = vec![vec![]];
-    for &base in &bases[..d] {
-        shapes = shapes
-            .into_iter()
-            .flat_map(|shape: Vec<usize>| {
-                std::iter::successors(Some(1), move |cuts| Some(cuts * base)).take_while(|&cuts| cuts <= n).map(
-                    move |cuts| {
-                        let mut shape = shape.clone();
-                        shape.push(cuts);
-                        shape
-                    },
-                )
-            })
-            .filter(|shape| shape.iter().product::<usize>() <= n)
-            .collect();
-    }
-    shapes.iter().all(|cuts| {
-        let run: usize = cuts.iter().product();
-        [0, 1, (n - run) / 2, n - run].iter().filter(|&&start| start + run <= n).all(|start| {
-            let rows = points.rows().skip(*start).take(run);
-            occupancy(rows, cuts).iter().all(|&count| count == 1)
-        })
-    })
 }
 
 #[test]
@@ -162,7 +69,44 @@ fn latin_sets_have_one_point_a_slab() {
 fn strata_have_one_point_a_cell() {
     for (method, n, d) in cases().filter(|(method, ..)| method.guarantees().contains(&Guarantee::Strata)) {
         for seed in 0..5 {
-            assert!(is_stratified(&points(method, n, d, seed)), "{method}: n = {n}, d = {d}, seed {seed}");
+            assert!(
+                is_stratified(&points(method, n, d, seed), &method.sampler().strata(n, d)),
+                "{method}: n = {n}, d = {d}, seed {seed}"
+            );
+        }
+    }
+}
+
+#[test]
+fn arrays_have_their_strength() {
+    for (method, n, d) in cases() {
+        for guarantee in method.guarantees() {
+            for seed in 0..4 {
+                let points = || points(method, n, d, seed);
+                match guarantee {
+                    Guarantee::Strength { t } => {
+                        assert!(has_strength(&points(), t as usize), "{method}: n = {n}, d = {d}");
+                    }
+                    Guarantee::Pairs => {
+                        let points = points();
+                        for first in (0..d).step_by(2) {
+                            let width = (d - first).min(2);
+                            let pair = points.rows().flat_map(|row| row[first..first + width].to_vec()).collect();
+                            let pair = Points::from_rows(width, pair).expect("whole rows");
+                            let k = if width == 1 { n } else { (1..=n).find(|k| k * k >= n).unwrap_or(1) };
+                            assert!(
+                                is_stratified(&pair, &vec![k; width]),
+                                "{method}: n = {n}, d = {d}, axes from {first}"
+                            );
+                        }
+                    }
+                    Guarantee::Separated { percent } if n > 1 => {
+                        let radius = relative_radius(&points());
+                        assert!(radius >= f64::from(percent) / 100.0, "{method}: n = {n}: relative radius {radius}");
+                    }
+                    _ => {}
+                }
+            }
         }
     }
 }
@@ -183,11 +127,67 @@ fn nets_fill_every_elementary_interval_of_every_block() {
     assert!(checked > 20, "only {checked} nets were checked");
 }
 
+#[test]
+fn whole_sets_are_nets() {
+    let mut checked = 0;
+    for (method, n, d) in cases() {
+        let Some(net) = method.whole_net(n, d) else { continue };
+        for seed in 0..3 {
+            let points = points(method, n, d, seed);
+            assert!(
+                n.is_power_of_two() && is_block_net(&points, net.base, net.t),
+                "{method}: n = {n}, d = {d}, seed {seed}"
+            );
+        }
+        checked += 1;
+    }
+    assert!(checked > 20, "only {checked} nets were checked");
+}
+
+#[test]
+fn random_access_gives_the_bits_of_the_batch() {
+    let mut checked = 0;
+    for (method, n, d) in cases().filter(|&(_, n, d)| [9, 16, 25, 27, 49].contains(&n) && d < 8) {
+        let seed = Seed::new(11);
+        let Some(sample) = method.sample(n, d, seed) else { continue };
+        let points = method.points(n, d, seed).expect("admitted");
+        for (i, row) in points.rows().enumerate() {
+            for (axis, &x) in row.iter().enumerate() {
+                assert_eq!(sample(i as u64, axis), x, "{method}: n = {n}, point {i}, axis {axis}");
+            }
+        }
+        checked += 1;
+    }
+    assert!(checked > 100, "only {checked} methods have random access");
+}
+
+/// Every sequence stays in [0, 1) at the last indices of 32 bits and at those of the traps, in `f64` and as `f32` rounded towards 0.
+#[test]
+fn far_indices_stay_below_one() {
+    let indices =
+        [33_554_431, 43_046_720, 29_296_874, 28_824_004, 17_715_609, 62_748_516, (1 << 32) - 1, (1 << 32) - 2];
+    for method in Method::all().filter(|method| method.guarantees().contains(&Guarantee::Prefix)) {
+        let d = if method.admits(1, 256).is_ok() { 256 } else { 1 };
+        let Some(sample) = method.sample(1, d, Seed::new(4)) else { continue };
+        for index in indices {
+            for axis in [0, 1, 2, 3, 4, 5, 31, 255].into_iter().filter(|&axis| axis < d) {
+                let x = sample(index, axis);
+                assert!(
+                    (0.0..1.0).contains(&x) && workbook::points::single(x) < 1.0,
+                    "{method}: index {index}, axis {axis}: {x}"
+                );
+            }
+        }
+    }
+}
+
 /// Every single axis of a net in base 2, to the last one, has one point in each dyadic interval.
 #[test]
 fn every_axis_alone_is_a_net() {
     let d = 256;
-    for method in Method::all().filter(|method| method.admits(1, d).is_ok() && method.net(d).is_some()) {
+    for method in
+        Method::all().filter(|method| method.net(d).is_some_and(|net| net.base == 2) && method.admits(1, d).is_ok())
+    {
         let points = points(method, 256, d, 3);
         for axis in 0..d {
             let column = Points::from_rows(1, points.axis(axis).collect()).expect("one column");
@@ -218,29 +218,6 @@ fn points_are_uniform_over_seeds() {
             assert!(worst < 5.2, "{method}: n = {n}, d = {d}: a moment is off by {worst} standard errors");
         }
     }
-}
-
-/// By how many standard errors the moments of pooled points are off, at worst, over 400 seeds.
-pub fn worst_moment(points: impl Fn(u64) -> Points) -> f64 {
-    let d = points(0).dimensions();
-    let mut moments = vec![[Moments::default(); 3]; d];
-    for seed in 0..400 {
-        let points = points(seed);
-        for (axis, moments) in moments.iter_mut().enumerate() {
-            let mean = |f: &dyn Fn(&[f64]) -> f64| points.rows().map(f).sum::<f64>() / points.len() as f64;
-            moments[0].push(mean(&|x| x[axis] - 0.5));
-            moments[1].push(mean(&|x| (x[axis] - 0.5) * (x[axis] - 0.5) - 1.0 / 12.0));
-            if d > 1 {
-                moments[2].push(mean(&|x| (x[axis] - 0.5) * (x[(axis + 1) % d] - 0.5)));
-            }
-        }
-    }
-    let scores = moments
-        .iter()
-        .flatten()
-        .filter(|moments| moments.count() > 0)
-        .map(|moments| moments.mean().abs() / moments.standard_error());
-    scores.fold(0.0, f64::max)
 }
 
 /// What cannot be given is refused with the argument and its limits, before anything is allocated.
@@ -286,10 +263,12 @@ fn catalogues_are_complete() {
     let samplers: Vec<&About> = workbook::samplers::SAMPLERS.iter().map(|entry| entry.about()).collect();
     let scrambles: Vec<&About> = workbook::scrambles::SCRAMBLES.iter().map(|entry| entry.about()).collect();
     let integrands: Vec<&About> = workbook::integrands::INTEGRANDS.iter().map(|entry| entry.about()).collect();
+    let metrics: Vec<&About> = workbook::metrics::abouts().collect();
     let helpers = [
-        ("samplers", vec!["mod", "digits", "method", "refused"], samplers),
-        ("scrambles", vec!["mod"], scrambles),
-        ("integrands", vec!["mod", "function"], integrands),
+        ("samplers", vec!["mod", "digits", "enumeration", "method", "poisson", "refused"], samplers),
+        ("scrambles", vec!["mod", "walk"], scrambles),
+        ("integrands", vec!["mod", "function", "genz"], integrands),
+        ("metrics", vec!["mod", "occupancy", "spectrum", "star_bound"], metrics),
     ];
     for (folder, others, abouts) in helpers {
         let mut files: Vec<String> = others.iter().map(|name| format!("{folder}/{name}.rs")).collect();

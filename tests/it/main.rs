@@ -7,8 +7,10 @@ mod atomic;
 mod battery;
 #[cfg(feature = "publish")]
 mod behaviour;
+mod bite;
 #[cfg(feature = "publish")]
 mod cache;
+mod checks;
 #[cfg(feature = "publish")]
 mod cli;
 #[cfg(feature = "publish")]
@@ -17,6 +19,7 @@ mod code;
 mod course;
 #[cfg(feature = "publish")]
 mod determinism;
+mod enumeration;
 mod expected;
 #[cfg(feature = "publish")]
 mod golden;
@@ -24,6 +27,7 @@ mod golden;
 mod kinds;
 #[cfg(feature = "publish")]
 mod lock;
+mod measures;
 #[cfg(feature = "publish")]
 mod pages;
 #[cfg(feature = "publish")]

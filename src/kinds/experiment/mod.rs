@@ -4,6 +4,8 @@ mod frame;
 mod problems;
 mod values;
 
+use std::ops::Range;
+
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -79,6 +81,11 @@ pub trait Experiment: Send + Sync {
     /// The parameters as an object, every default filled in: equal questions give equal objects.
     fn parameters(&self) -> serde_json::Value;
 
+    /// The parameters that the result depends on: all but those that only the drawing reads.
+    fn question(&self) -> serde_json::Value {
+        self.parameters()
+    }
+
     /// Whose sources belong in the key: the kind, the samplers, scrambles and integrands, by file, without repeats.
     fn abouts(&self) -> Vec<&'static About>;
 
@@ -150,9 +157,23 @@ impl<K: Kind> AnyKind for K {
         fields.finish(&known);
         let mut parameters = read?;
         self.settle(&mut parameters);
+        let wrong: Vec<_> = fields.complaints[before..].iter().map(|complaint| complaint.range.clone()).collect();
         self.check(&parameters, &mut Problems::new(fields));
+        // Of a parameter that is wrong, for which a default stands in, nothing more is to be said.
+        let blamed = |name: &str| wrong.iter().any(|range| within(range, &fields.place(name)));
+        let blamed: Vec<_> = known.iter().filter(|name| blamed(name)).map(|name| fields.place(name)).collect();
+        let mut index = 0;
+        fields.complaints.retain(|complaint| {
+            index += 1;
+            index <= before + wrong.len() || !blamed.iter().any(|place| within(&complaint.range, place))
+        });
         (fields.complaints.len() == before).then(|| Box::new(Planned { kind: self, parameters }) as Box<dyn Experiment>)
     }
+}
+
+/// Whether `inner` lies in `outer`.
+fn within(inner: &Range<usize>, outer: &Range<usize>) -> bool {
+    outer.start <= inner.start && inner.end <= outer.end
 }
 
 /// A kind with its parameters.
@@ -177,6 +198,14 @@ impl<K: Kind> Experiment for Planned<K> {
 
     fn parameters(&self) -> serde_json::Value {
         self.parameters.canonical()
+    }
+
+    fn question(&self) -> serde_json::Value {
+        let mut question = self.parameters.canonical();
+        if let Some(object) = question.as_object_mut() {
+            object.retain(|name, _| !K::Parameters::drawn().contains(&name.as_str()));
+        }
+        question
     }
 
     fn abouts(&self) -> Vec<&'static About> {

@@ -1,0 +1,111 @@
+//! Distances on the torus: the smallest, and the same relative to the best possible.
+//!
+//! **Formula.** The relative radius in the plane is d_min / sqrt(2 / (sqrt(3) n)), 1 for a hexagonal lattice; good blue noise has 0.65 to 0.8, independent points about 0.
+//!
+//! **Cost.** n^2 d / 2 in general; in the plane linear in n, with buckets.
+//!
+//! **Paper.** A. Lagae and P. Dutre, A Comparison of Methods for Generating Poisson Disk Distributions, Comput. Graph. Forum 27(1) (2008), doi 10.1111/j.1467-8659.2007.01100.x.
+//!
+//! ```
+//! use workbook::{metrics::dispersion::minimum_distance, points::Points};
+//! let points = Points::from_rows(2, vec![0.0, 0.0, 0.9, 0.0]).unwrap();
+//! assert!((minimum_distance(&points).unwrap() - 0.1).abs() < 1e-15);
+//! ```
+
+use super::{Measured, Metric, Unmeasured};
+use crate::catalogue::{About, Entry, Paper};
+use crate::points::Points;
+use crate::samplers::poisson::{Buckets, hexagonal};
+
+/// The measure `minimum-distance`.
+pub struct MinimumDistance;
+/// The measure `relative-radius`.
+pub struct RelativeRadius;
+
+static DISTANCE: About = About {
+    key: "minimum-distance",
+    title: "Minimum distance",
+    summary: "The smallest distance of two points on the torus.",
+    file: "metrics/dispersion.rs",
+    source: include_str!("dispersion.rs"),
+    papers: &[Paper {
+        authors: "A. Lagae and P. Dutre",
+        year: 2008,
+        title: "A Comparison of Methods for Generating Poisson Disk Distributions",
+        venue: "Computer Graphics Forum 27(1), 114-129",
+        doi: Some("10.1111/j.1467-8659.2007.01100.x"),
+    }],
+};
+static RADIUS: About = About {
+    key: "relative-radius",
+    title: "Relative radius",
+    summary: "The smallest distance on the torus over that of a hexagonal lattice of as many points; the plane only.",
+    file: "metrics/dispersion.rs",
+    source: include_str!("dispersion.rs"),
+    papers: &[Paper {
+        authors: "A. Lagae and P. Dutre",
+        year: 2008,
+        title: "A Comparison of Methods for Generating Poisson Disk Distributions",
+        venue: "Computer Graphics Forum 27(1), 114-129",
+        doi: Some("10.1111/j.1467-8659.2007.01100.x"),
+    }],
+};
+impl Entry for MinimumDistance {
+    fn about(&self) -> &'static About {
+        &DISTANCE
+    }
+}
+impl Entry for RelativeRadius {
+    fn about(&self) -> &'static About {
+        &RADIUS
+    }
+}
+
+impl Metric for MinimumDistance {
+    fn measure(&self, points: &Points) -> Result<Measured, Unmeasured> {
+        minimum_distance(points).map(Measured::exact).ok_or(Unmeasured::Kind("a distance needs two points"))
+    }
+}
+
+impl Metric for RelativeRadius {
+    fn measure(&self, points: &Points) -> Result<Measured, Unmeasured> {
+        if points.dimensions() != 2 {
+            return Err(Unmeasured::Kind("the relative radius is defined in two dimensions"));
+        }
+        let distance = minimum_distance(points).ok_or(Unmeasured::Kind("a distance needs two points"))?;
+        Ok(Measured::exact(distance / hexagonal(points.len())))
+    }
+}
+
+/// The smallest distance of two points on the torus; `None` of fewer than two.
+pub fn minimum_distance(points: &Points) -> Option<f64> {
+    if points.len() < 2 {
+        return None;
+    }
+    let square = if points.dimensions() == 2 { in_the_plane(points) } else { pairwise(points) };
+    Some(square.sqrt())
+}
+
+/// Each point asks for its nearest among those before it.
+fn in_the_plane(points: &Points) -> f64 {
+    let mut buckets = Buckets::new((points.len() as f64).sqrt() as usize);
+    let mut best = f64::INFINITY;
+    for row in points.rows() {
+        // 1 is 0 on the torus.
+        let place = [row[0] % 1.0, row[1] % 1.0];
+        best = best.min(buckets.nearest_below(place, best));
+        buckets.add(place);
+    }
+    best
+}
+
+fn pairwise(points: &Points) -> f64 {
+    let wrapped = |x: &f64, y: &f64| {
+        let difference = (x - y).abs();
+        difference.min(1.0 - difference)
+    };
+    let square = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| wrapped(x, y) * wrapped(x, y)).sum::<f64>();
+    let rows: Vec<&[f64]> = points.rows().collect();
+    let pairs = rows.iter().enumerate().flat_map(|(i, a)| rows[..i].iter().map(move |b| square(a, b)));
+    pairs.fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,81 @@
+//! The regular grid: the lower corner of each of n = k^d equal cells.
+//!
+//! **What.** Equal steps along every axis from 0; cell i has the coordinates of i written in base k, the first axis fastest.
+//!
+//! **Formula.** x_j = c_j / k, c_j in 0..k.
+//!
+//! **Guarantees.** One point in each cell; deterministic.
+//!
+//! **Cost.** One division for each coordinate.
+//!
+//! **Limits.** n = k^d. Every axis sees only n^(1/d) different coordinates, and the set leans to the origin: star discrepancy 1 - (1 - 1/k)^d. Aliasing is at its worst.
+//!
+//! **Source.** P. J. Davis and P. Rabinowitz, Methods of Numerical Integration (1984), doi 10.1016/C2013-0-10566-1.
+//!
+//! ```
+//! use workbook::{samplers::{Sampler, grid::Grid}, seed::Seed};
+//! assert_eq!(Grid.points(4, 2, Seed::new(1))?.coordinates(), [0.0, 0.0, 0.5, 0.0, 0.0, 0.5, 0.5, 0.5]);
+//! # Ok::<(), workbook::samplers::Refused>(())
+//! ```
+
+use super::digits::root;
+use super::{Guarantee, Refused, Sampler, refused};
+use crate::catalogue::{About, Entry, Paper};
+use crate::points::Points;
+use crate::seed::Seed;
+
+/// The sampler `grid`.
+pub struct Grid;
+
+static ABOUT: About = About {
+    key: "grid",
+    title: "Regular grid",
+    summary: "The corners of a regular grid of n = k^d cells.",
+    file: "samplers/grid.rs",
+    source: include_str!("grid.rs"),
+    papers: &[Paper {
+        authors: "P. J. Davis and P. Rabinowitz",
+        year: 1984,
+        title: "Methods of Numerical Integration",
+        venue: "Academic Press, 2nd ed., section 5.6",
+        doi: Some("10.1016/C2013-0-10566-1"),
+    }],
+};
+
+impl Entry for Grid {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+}
+
+impl Sampler for Grid {
+    fn guarantees(&self) -> &'static [Guarantee] {
+        &[Guarantee::Strata, Guarantee::Deterministic]
+    }
+
+    fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
+        refused::power(n, d)
+    }
+
+    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
+        self.admits(n, d)?;
+        let mut coordinates = refused::allocate(n, d)?;
+        let k = root(n as u64, d as u32);
+        for (i, point) in coordinates.chunks_exact_mut(d).enumerate() {
+            let mut rest = i as u64;
+            for x in point {
+                *x = (rest % k) as f64 / k as f64;
+                rest /= k;
+            }
+        }
+        refused::points(d, coordinates)
+    }
+
+    fn at(&self, n: usize, d: usize, _seed: Seed) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
+        let k = root(n as u64, d as u32);
+        Some(Box::new(move |index, axis| {
+            let rest = (0..axis).fold(index, |rest, _| rest / k);
+            (rest % k) as f64 / k as f64
+        }))
+    }
+}

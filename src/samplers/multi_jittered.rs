@@ -1,0 +1,86 @@
+//! Multi-jittered sampling: a jittered grid whose points are also n rooks.
+//!
+//! **What.** The square has columns x rows cells with one point each; every column of cells is cut into as many thin slabs as it has cells, and its points take one slab each, in
+//! random order; the same for the rows.
+//!
+//! **Formula.** With m columns and k rows, n = m k: x = (i + (p_i(j) + u) / k) / m and y = (j + (q_j(i) + v) / m) / k, with random permutations p_i of 0..k for each column i and q_j of 0..m for each
+//! row j.
+//!
+//! **Guarantees.** One point in each cell, and one in each of the n slabs of both axes; unbiased.
+//!
+//! **Cost.** Four random numbers for each point.
+//!
+//! **Limits.** Two dimensions (or one, where it is jittered sampling); n = columns x rows with rows <= columns <= 2 rows. Beware of whole-number division: i / m as integers crowds every x into the first column.
+//!
+//! **Paper.** K. Chiu, P. Shirley and C. Wang, Multi-Jittered Sampling, Graphics Gems IV (1994), 370-374, doi 10.1016/B978-0-12-336156-1.50045-8.
+//!
+//! ```
+//! use workbook::{points::slab, samplers::{Sampler, multi_jittered::MultiJittered}, seed::Seed};
+//! let points = MultiJittered.points(16, 2, Seed::new(1))?;
+//! let mut columns: Vec<usize> = points.axis(0).map(|x| slab(x, 16)).collect();
+//! columns.sort_unstable();
+//! assert_eq!(columns, (0..16).collect::<Vec<_>>());
+//! # Ok::<(), workbook::samplers::Refused>(())
+//! ```
+
+use super::digits::{self, within};
+use super::{Guarantee, Refused, Sampler, refused};
+use crate::catalogue::{About, Entry, Paper};
+use crate::points::Points;
+use crate::seed::Seed;
+
+/// The sampler `multi-jittered`.
+pub struct MultiJittered;
+
+static ABOUT: About = About {
+    key: "multi-jittered",
+    title: "Multi-jittered",
+    summary: "Jittered and Latin at once: one point in each cell and in each of the n slabs of both axes.",
+    file: "samplers/multi_jittered.rs",
+    source: include_str!("multi_jittered.rs"),
+    papers: &[Paper {
+        authors: "K. Chiu, P. Shirley and C. Wang",
+        year: 1994,
+        title: "Multi-Jittered Sampling",
+        venue: "Graphics Gems IV, Academic Press, 370-374",
+        doi: Some("10.1016/B978-0-12-336156-1.50045-8"),
+    }],
+};
+
+impl Entry for MultiJittered {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+}
+
+impl Sampler for MultiJittered {
+    fn guarantees(&self) -> &'static [Guarantee] {
+        &[Guarantee::Strata, Guarantee::Latin, Guarantee::Unbiased]
+    }
+
+    fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
+        refused::sides(n, d)
+    }
+
+    fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
+        self.admits(n, d)?;
+        let mut coordinates = refused::allocate(n, d)?;
+        let cuts = digits::cuts(n, d);
+        for (axis, &own) in cuts.iter().enumerate() {
+            let mut random = seed.at(axis as u64).generator();
+            let across = n / own;
+            for stratum in 0..own {
+                for (k, slab) in random.permutation(across).into_iter().enumerate() {
+                    // The cell in column i and row j is number i + columns j, whichever axis is walked along.
+                    let cell = if axis == 0 { stratum + own * k } else { k + across * stratum };
+                    coordinates[cell * d + axis] = within((stratum * across + slab) as u64, n as u64, random.uniform());
+                }
+            }
+        }
+        refused::points(d, coordinates)
+    }
+
+    fn strata(&self, n: usize, d: usize) -> Vec<usize> {
+        digits::cuts(n, d)
+    }
+}
