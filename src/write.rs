@@ -44,10 +44,11 @@ pub fn write(book: &Book, out: &Path) -> Result<Outcome, Diagnostic> {
     for (path, bytes) in &book.files {
         write_file(&staging.path.join(path), bytes).map_err(failed)?;
     }
-    if let Some(lock) = lock {
-        write_file(&staging.path.join(LOCK_NAME), &lock).map_err(failed)?;
+    if let Some(lock) = &lock {
+        write_file(&staging.path.join(LOCK_NAME), lock).map_err(failed)?;
     }
     exchange(&staging.path, out).map_err(failed)?;
+    keep_newer_lock(&staging.path, out, lock.as_deref()).map_err(failed)?;
     Ok(Outcome::Written)
 }
 
@@ -119,7 +120,11 @@ fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// Puts `staged` in the place of `out`, and what was there in the place of `staged`.
 fn exchange(staged: &Path, out: &Path) -> io::Result<()> {
     if !out.exists() {
-        return fs::rename(staged, out);
+        match fs::rename(staged, out) {
+            // Another build was faster; its book is the one to change places with.
+            Err(_) if out.exists() => {}
+            done => return done,
+        }
     }
     #[cfg(any(target_os = "linux", target_os = "macos"))]
     {
@@ -136,6 +141,14 @@ fn exchange(staged: &Path, out: &Path) -> io::Result<()> {
         return Err(error);
     }
     fs::rename(&aside, staged)
+}
+
+/// Moves the lock of the `old` book to `out` if it was written while the new book was: accepting at the same time is not undone.
+fn keep_newer_lock(old: &Path, out: &Path, copied: Option<&[u8]>) -> io::Result<()> {
+    match fs::read(old.join(LOCK_NAME)) {
+        Ok(lock) if Some(lock.as_slice()) != copied => fs::rename(old.join(LOCK_NAME), out.join(LOCK_NAME)),
+        _ => Ok(()),
+    }
 }
 
 /// Whether `out` can be replaced: it is not there, it is empty, it holds a book, or nothing but the lock.

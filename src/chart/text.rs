@@ -120,7 +120,9 @@ impl Rich {
         }
     }
 
+    /// Adds a character; a straight apostrophe is printed as one.
     fn push(&mut self, c: char, italic: bool, level: Level) {
+        let c = if c == '\'' { '\u{2019}' } else { c };
         match self.runs.last_mut() {
             Some(run) if run.italic == italic && run.level == level => run.text.push(c),
             _ => self.runs.push(Run { text: c.into(), italic, level }),

@@ -61,6 +61,8 @@ pub(super) fn read_all(fields: &mut Fields<'_>) -> Vec<Claim> {
     let Some(table) = fields.table("claims") else { return Vec::new() };
     let mut claims = Vec::new();
     flatten(table, "", &mut fields.complaints, &mut claims);
+    // The table is sorted by name; readers see the claims in the order in which they are written.
+    claims.sort_by_key(|claim| claim.range.start);
     claims
 }
 

@@ -112,6 +112,13 @@ impl Course {
     }
 }
 
+impl Said {
+    /// Fails if anything was said.
+    pub fn silent(&self) {
+        assert_eq!((self.out.as_str(), self.err.as_str()), ("", ""));
+    }
+}
+
 impl From<Output> for Said {
     fn from(output: Output) -> Self {
         Self {
@@ -120,6 +127,50 @@ impl From<Output> for Said {
             err: String::from_utf8(output.stderr).unwrap(),
         }
     }
+}
+
+/// The configuration of [`small`].
+const CONFIGURATION: &str = "title = \"A course\"\nauthors = [\"A. Author\"]\n";
+
+/// The chapter of [`small`].
+const CHAPTER: &str = r#"+++
+title = "One"
+summary = "The only chapter."
++++
+
+Some prose.
+
+```experiment
+id = "fig-points"
+kind = "points"
+sampler = "jittered"
+n = 16
+caption = "Points."
+
+[claims]
+"cells.max.jittered" = { equals = 1 }
+```
+
+```experiment
+id = "tbl-estimates"
+kind = "estimate-table"
+integrand = "x"
+n = [4, 16]
+caption = "Estimates."
+```
+"#;
+
+/// A small course: a chapter with a sentence, a figure with a claim, and a table.
+pub fn small() -> Course {
+    Course::new(&[("chapters/workbook.toml", CONFIGURATION), ("chapters/01-one.md", CHAPTER)])
+}
+
+/// The small course, built and accepted.
+pub fn accepted() -> Course {
+    let course = small();
+    course.fine(&["build", "--quiet"]);
+    course.fine(&["accept", "--quiet"]);
+    course
 }
 
 /// Every file below `folder` by its path there, with `/` between folders.

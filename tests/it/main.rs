@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+#[cfg(feature = "publish")]
+mod atomic;
 mod battery;
 #[cfg(feature = "publish")]
 mod behaviour;
@@ -9,6 +11,8 @@ mod bite;
 #[cfg(feature = "publish")]
 mod cache;
 mod checks;
+#[cfg(feature = "publish")]
+mod cli;
 #[cfg(feature = "publish")]
 mod code;
 #[cfg(feature = "publish")]
@@ -25,5 +29,11 @@ mod kinds;
 mod lock;
 mod measures;
 #[cfg(feature = "publish")]
+mod pages;
+#[cfg(feature = "publish")]
 mod parameters;
+#[cfg(feature = "publish")]
+mod review;
 mod statistics;
+#[cfg(feature = "publish")]
+mod tidy;

@@ -1,0 +1,250 @@
+//! The pages as a browser reads them: HTML without errors, ids and links that hold, words for every picture, nothing from elsewhere.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use html5ever::tendril::TendrilSink;
+use html5ever::{ParseOpts, parse_document};
+use markup5ever_rcdom::{Handle, NodeData, RcDom};
+
+use crate::course::Course;
+
+/// An element of a page.
+struct Element {
+    name: String,
+    attributes: BTreeMap<String, String>,
+    /// All text within.
+    text: String,
+    /// The same without code.
+    prose: String,
+    parents: Vec<String>,
+}
+
+impl Element {
+    fn get(&self, name: &str) -> &str {
+        self.attributes.get(name).map_or("", String::as_str)
+    }
+}
+
+/// A page: its elements in order and what the parser complained of.
+struct Page {
+    path: String,
+    elements: Vec<Element>,
+    errors: Vec<String>,
+}
+
+fn book() -> BTreeMap<String, Vec<u8>> {
+    let course = Course::case("everything");
+    let composed = course.compose(2);
+    assert!(composed.diagnostics.is_empty(), "{:?}", composed.diagnostics);
+    composed.book.files
+}
+
+fn pages(book: &BTreeMap<String, Vec<u8>>) -> Vec<Page> {
+    let pages: Vec<Page> = book
+        .iter()
+        .filter(|(path, _)| path.ends_with(".html"))
+        .map(|(path, bytes)| {
+            let dom = parse_document(RcDom::default(), ParseOpts::default()).from_utf8().one(bytes.as_slice());
+            let mut elements = Vec::new();
+            walk(&dom.document, &[], &mut elements);
+            let errors = dom.errors.borrow().iter().map(ToString::to_string).collect();
+            Page { path: path.clone(), elements, errors }
+        })
+        .collect();
+    assert_eq!(pages.len(), 5);
+    pages
+}
+
+fn walk(node: &Handle, parents: &[String], elements: &mut Vec<Element>) {
+    let mut inner = parents.to_vec();
+    if let NodeData::Element { name, attrs, .. } = &node.data {
+        let attributes = attrs
+            .borrow()
+            .iter()
+            .map(|attribute| (attribute.name.local.to_string(), attribute.value.to_string()))
+            .collect();
+        let name = name.local.to_string();
+        inner.push(name.clone());
+        elements.push(Element {
+            name,
+            attributes,
+            text: text(node, &[]),
+            prose: text(node, &["code", "pre", "annotation"]),
+            parents: parents.to_vec(),
+        });
+    }
+    for child in node.children.borrow().iter() {
+        walk(child, &inner, elements);
+    }
+}
+
+/// The text within a node, without that of elements named in `without`.
+fn text(node: &Handle, without: &[&str]) -> String {
+    match &node.data {
+        NodeData::Text { contents } => contents.borrow().to_string(),
+        NodeData::Element { name, .. } if without.contains(&&*name.local) => String::new(),
+        _ => node.children.borrow().iter().map(|child| text(child, without)).collect(),
+    }
+}
+
+#[test]
+fn pages_are_read_without_errors() {
+    for page in pages(&book()) {
+        assert_eq!(page.errors, Vec::<String>::new(), "{}", page.path);
+        assert!(page.elements.len() > 30, "{}", page.path);
+        let one = |name: &str| {
+            let inner =
+                |element: &&Element| element.name == name && !element.parents.iter().any(|parent| parent == "svg");
+            page.elements.iter().filter(inner).count()
+        };
+        assert_eq!((one("main"), one("h1"), one("title")), (1, 1, 1), "{}", page.path);
+        let html = &page.elements[0];
+        assert_eq!((html.name.as_str(), html.get("lang")), ("html", "en-GB"), "{}", page.path);
+    }
+}
+
+#[test]
+fn ids_are_unique_and_what_names_them_finds_them() {
+    for page in pages(&book()) {
+        let mut ids = BTreeSet::new();
+        for element in page.elements.iter().filter(|element| element.attributes.contains_key("id")) {
+            let id = element.get("id");
+            assert!(!id.is_empty() && !id.contains(char::is_whitespace), "{}: `{id}`", page.path);
+            assert!(ids.insert(id), "{}: `{id}` twice", page.path);
+        }
+        for element in &page.elements {
+            for name in ["aria-labelledby", "aria-describedby", "for", "aria-controls"] {
+                for id in element.get(name).split_whitespace() {
+                    assert!(ids.contains(id), "{}: {name} `{id}`", page.path);
+                }
+            }
+            for (name, value) in &element.attributes {
+                for id in value.split("url(#").skip(1).filter_map(|rest| rest.split(')').next()) {
+                    assert!(ids.contains(id), "{}: {name}=`{value}`", page.path);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let book = book();
+    let pages = pages(&book);
+    let ids: BTreeSet<(&str, &str)> = pages
+        .iter()
+        .flat_map(|page| page.elements.iter().map(|element| (page.path.as_str(), element.get("id"))))
+        .collect();
+    let mut count = 0;
+    for page in &pages {
+        for element in page.elements.iter().filter(|element| element.name == "a") {
+            let link = element.get("href");
+            assert!(!link.is_empty() && !element.text.trim().is_empty(), "{}: an empty link `{link}`", page.path);
+            assert!(!element.parents.iter().any(|parent| parent == "a"), "{}: a link in a link", page.path);
+            if link.contains(':') {
+                assert!(link.starts_with("https://"), "{}: `{link}`", page.path);
+                continue;
+            }
+            let (file, id) = link.split_once('#').unwrap_or((link, ""));
+            let file = if file.is_empty() { page.path.as_str() } else { file };
+            assert!(book.contains_key(file), "{}: `{link}`", page.path);
+            assert!(id.is_empty() || ids.contains(&(file, id)), "{}: `{link}`", page.path);
+            count += 1;
+        }
+    }
+    assert!(count > 100, "{count} links are not the links of this book");
+}
+
+#[test]
+fn nothing_is_asked_of_another_host() {
+    let book = book();
+    for page in pages(&book) {
+        for element in page.elements.iter().filter(|element| element.name != "a") {
+            for name in ["src", "href", "srcset", "data", "action", "poster", "xlink:href"] {
+                let value = element.get(name);
+                let inner = value.is_empty()
+                    || value.starts_with("data:")
+                    || book.contains_key(value)
+                    || value.starts_with('#');
+                assert!(inner, "{}: <{} {name}=\"{value}\">", page.path, element.name);
+            }
+            assert!(!element.attributes.keys().any(|name| name.starts_with("on")), "{}: a handler", page.path);
+        }
+    }
+    for path in book.keys().filter(|path| path.ends_with(".css")) {
+        let css = std::str::from_utf8(&book[path]).unwrap();
+        assert!(!css.contains("@import") && !css.contains("//fonts"), "{path}");
+        for url in css.split("url(").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let url = url.trim_matches(['"', '\'']);
+            let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+            assert!(url.starts_with("data:") || book.contains_key(&format!("{folder}/{url}")), "{path}: `{url}`");
+        }
+    }
+    let script = std::str::from_utf8(&book["assets/site.js"]).unwrap();
+    for word in ["http", "fetch(", "XMLHttpRequest", "import("] {
+        assert!(!script.contains(word), "the script holds `{word}`");
+    }
+}
+
+#[test]
+fn every_picture_has_words() {
+    let book = book();
+    let mut drawings = 0;
+    for page in pages(&book) {
+        for element in &page.elements {
+            match element.name.as_str() {
+                "img" => assert!(!element.get("alt").trim().is_empty(), "{}: a picture without words", page.path),
+                "svg" => {
+                    drawings += 1;
+                    assert_eq!(element.get("role"), "img", "{}", page.path);
+                    let named = |names: &str| {
+                        let ids = element.get(names).split_whitespace();
+                        let texts = ids.filter_map(|id| page.elements.iter().find(|element| element.get("id") == id));
+                        texts.map(|element| element.text.trim()).any(|text| text.len() > 10)
+                    };
+                    assert!(
+                        named("aria-labelledby") || named("aria-describedby"),
+                        "{}: {:?}",
+                        page.path,
+                        element.attributes
+                    );
+                }
+                "figure" => assert!(!element.text.trim().is_empty(), "{}: a figure without a caption", page.path),
+                _ => {}
+            }
+        }
+    }
+    assert_eq!(drawings, 9, "every figure of the book is drawn");
+}
+
+#[test]
+fn math_is_markup_and_no_sign_of_the_source_is_left() {
+    let pages = pages(&book());
+    let formulas: usize =
+        pages.iter().map(|page| page.elements.iter().filter(|element| element.name == "math").count()).sum();
+    assert!(formulas > 15, "{formulas} formulas");
+    for page in &pages {
+        let body = page.elements.iter().find(|element| element.name == "main").unwrap();
+        // The one that an author asked for with a backslash.
+        let text = body.prose.replace("$5 is no formula, nor is @fig-curve a reference", "");
+        for sign in ["$", "@fig-", "@tbl-", "@eq-", "[@", "[^", "[!", "`=", "{#", "\\frac", "\\E"] {
+            assert!(!text.contains(sign), "{}: `{sign}` is left over", page.path);
+        }
+    }
+}
+
+#[test]
+fn tables_and_headings_are_in_order() {
+    for page in pages(&book()) {
+        let mut last = 0;
+        for element in &page.elements {
+            if let Some(level) = element.name.strip_prefix('h').and_then(|level| level.parse::<usize>().ok()) {
+                assert!(level <= last + 1, "{}: <h{level}> after <h{last}>", page.path);
+                last = level;
+            }
+            if element.name == "th" {
+                assert!(["col", "row"].contains(&element.get("scope")), "{}: a head without a scope", page.path);
+            }
+        }
+    }
+}
