@@ -6,7 +6,6 @@ use workbook::catalogue::About;
 use workbook::integrands::INTEGRANDS;
 use workbook::kinds::KINDS;
 use workbook::metrics::METRICS;
-use workbook::metrics::METRICS;
 use workbook::samplers::SAMPLERS;
 use workbook::scrambles::SCRAMBLES;
 use workbook::sources as code;
