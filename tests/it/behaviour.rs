@@ -200,10 +200,13 @@ fn what_is_wrong_elsewhere_keeps_no_experiment_from_running() {
     assert!(computed(&sound(course.compose(2))).is_empty(), "the results were kept");
 }
 
+/// What is done to the bytes of a result that was kept.
+type Damage = fn(&[u8]) -> Vec<u8>;
+
 #[test]
 fn a_damaged_cache_is_computed_again_and_mended() {
     let (course, first) = built();
-    let damages: [fn(&[u8]) -> Vec<u8>; 5] = [
+    let damages: [Damage; 5] = [
         |_| Vec::new(),
         |bytes| bytes[..bytes.len() / 2].to_vec(),
         |bytes| bytes[..bytes.len() - 1].to_vec(),

@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 use similar::TextDiff;
 use workbook::sources::Digest;
+use workbook::workspace::extension;
 
 use crate::course::{Course, PACKAGE, tree};
 
@@ -97,7 +98,7 @@ fn given(case: &str) -> Texts {
     let keys = keys(book.get("figures.json").map(Vec::as_slice).unwrap_or_default());
     let mut others = String::new();
     for (path, bytes) in book {
-        if path.ends_with(".html") || path == "figures.json" {
+        if extension(&path) == Some("html") || path == "figures.json" {
             texts.insert(format!("{BOOK}{path}"), without_keys(String::from_utf8(bytes).unwrap(), &keys));
         } else {
             let _ = writeln!(others, "{path}: {}", other(&path, &bytes));

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use html5ever::tendril::TendrilSink;
 use html5ever::{ParseOpts, parse_document};
 use markup5ever_rcdom::{Handle, NodeData, RcDom};
+use workbook::workspace::extension;
 
 use crate::course::Course;
 
@@ -42,7 +43,7 @@ fn book() -> BTreeMap<String, Vec<u8>> {
 fn pages(book: &BTreeMap<String, Vec<u8>>) -> Vec<Page> {
     let pages: Vec<Page> = book
         .iter()
-        .filter(|(path, _)| path.ends_with(".html"))
+        .filter(|(path, _)| extension(path) == Some("html"))
         .map(|(path, bytes)| {
             let dom = parse_document(RcDom::default(), ParseOpts::default()).from_utf8().one(bytes.as_slice());
             let mut elements = Vec::new();
@@ -171,7 +172,7 @@ fn nothing_is_asked_of_another_host() {
             assert!(!element.attributes.keys().any(|name| name.starts_with("on")), "{}: a handler", page.path);
         }
     }
-    for path in book.keys().filter(|path| path.ends_with(".css")) {
+    for path in book.keys().filter(|path| extension(path) == Some("css")) {
         let css = std::str::from_utf8(&book[path]).unwrap();
         assert!(!css.contains("@import") && !css.contains("//fonts"), "{path}");
         for url in css.split("url(").skip(1).filter_map(|rest| rest.split(')').next()) {

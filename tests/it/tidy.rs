@@ -9,6 +9,7 @@ use workbook::integrands::INTEGRANDS;
 use workbook::kinds::KINDS;
 use workbook::samplers::SAMPLERS;
 use workbook::scrambles::SCRAMBLES;
+use workbook::workspace::extension;
 
 use crate::course::PACKAGE;
 
@@ -76,7 +77,7 @@ fn texts() -> BTreeMap<String, String> {
 
 /// The Rust files, by their paths.
 fn rust() -> BTreeMap<String, String> {
-    let rust: BTreeMap<_, _> = texts().into_iter().filter(|(path, _)| path.ends_with(".rs")).collect();
+    let rust: BTreeMap<_, _> = texts().into_iter().filter(|(path, _)| extension(path) == Some("rs")).collect();
     assert!(rust.len() > 100 && rust.contains_key("src/lib.rs") && rust.contains_key("tests/it/tidy.rs"));
     rust
 }
