@@ -15,7 +15,7 @@ use crate::course::PACKAGE;
 
 /// The parts of the library from the lowest to the highest: a part uses only what is below it. Those in one line may use each other.
 const LAYERS: &[&[&str]] = &[
-    &["catalogue", "points", "seed", "stats", "samplers", "scrambles", "integrands"],
+    &["catalogue", "points", "seed", "stats", "samplers", "scrambles", "integrands", "metrics"],
     &["diag"],
     &["sources", "workspace"],
     &["parameters"],
@@ -36,10 +36,14 @@ const LAYERS: &[&[&str]] = &[
 const SHARED: &[&str] = &[
     "samplers/data",
     "samplers/digits.rs",
+    "samplers/enumeration.rs",
     "samplers/method.rs",
+    "samplers/poisson.rs",
     "samplers/refused.rs",
     "integrands/expression",
     "integrands/function.rs",
+    "integrands/genz.rs",
+    "scrambles/walk.rs",
     "kinds/estimation",
     "kinds/experiment",
 ];
