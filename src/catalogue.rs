@@ -49,7 +49,14 @@ pub fn find<E: Entry + ?Sized>(catalogue: &[&'static E], key: &str) -> Option<&'
 pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let (score, name) = names
         .into_iter()
-        .map(|name| (strsim::jaro_winkler(&written.to_lowercase(), &name.to_lowercase()), name))
+        .map(|name| (likeness(&written.to_lowercase(), &name.to_lowercase()), name))
         .max_by(|a, b| a.0.total_cmp(&b.0))?;
     (score >= 0.75).then_some(name)
+}
+
+/// How alike two names are, at most 1. One slip in a short name is one slip, however large a part of the name it is.
+fn likeness(written: &str, name: &str) -> f64 {
+    let alike = strsim::jaro_winkler(written, name);
+    let slip = written.len() > 2 && strsim::osa_distance(written, name) == 1;
+    if slip { alike.max(0.9) } else { alike }
 }

@@ -69,6 +69,9 @@ impl Power {
     fn parse(text: &str) -> Result<Self, String> {
         let number = |digits: &str| {
             let digits = digits.trim();
+            if digits.is_empty() {
+                return Err(format!("a number is missing in `{text}`"));
+            }
             digits.replace('_', "").parse::<usize>().map_err(|_| format!("`{digits}` is not a whole number"))
         };
         match text.split_once('^') {

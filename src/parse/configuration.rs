@@ -171,6 +171,10 @@ pub(super) fn ordered_chapters<'w>(
 ) -> Vec<&'w Source> {
     let file: Arc<str> = CONFIGURATION.into();
     let all: Vec<&Source> = workspace.chapters().collect();
+    if all.is_empty() && diagnostics.is_empty() && workspace.text(CONFIGURATION).is_some() {
+        let error = Diagnostic::error(Code::ChapterOrder, "the course has no chapter");
+        diagnostics.push(error.help(format!("chapters are files directly in `{CHAPTERS}/`: `{CHAPTERS}/01-first.md`")));
+    }
     let Some(order) = &configuration.order else { return all };
     let stem = |source: &&Source| chapter_stem(&source.path).unwrap_or_default().to_owned();
     let mut chosen = Vec::new();

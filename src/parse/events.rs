@@ -55,7 +55,7 @@ pub(super) fn read(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Content {
     let map = SourceMap::whole(0, source.text.len());
-    let mut reader = Reader::new(events, &source.path, map, workspace, diagnostics);
+    let mut reader = Reader::new(&source.text, events, &source.path, map, workspace, diagnostics);
     reader.allow_html = allow_html;
     reader.run();
     reader.content
@@ -70,7 +70,7 @@ pub fn inline(
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<Node> {
     let events = Parser::new_ext(text, parser_options()).into_offset_iter().collect();
-    let mut reader = Reader::new(events, file, map, workspace, diagnostics);
+    let mut reader = Reader::new(text, events, file, map, workspace, diagnostics);
     reader.run();
     let paragraph =
         |what: &What| matches!(what, What::Markdown(Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph)));
@@ -80,6 +80,8 @@ pub fn inline(
 
 /// The state of the walk.
 pub(super) struct Reader<'a, 'w> {
+    /// The text that the events were read from.
+    pub(super) parsed: &'w str,
     pub(super) events: std::iter::Peekable<std::vec::IntoIter<Placed<'a>>>,
     pub(super) file: &'w Arc<str>,
     pub(super) content: Content,
@@ -100,6 +102,7 @@ pub(super) struct Reader<'a, 'w> {
 
 impl<'a, 'w> Reader<'a, 'w> {
     fn new(
+        parsed: &'w str,
         events: Vec<Placed<'a>>,
         file: &'w Arc<str>,
         map: SourceMap,
@@ -109,6 +112,7 @@ impl<'a, 'w> Reader<'a, 'w> {
         let content = Content::default();
         let events = events.into_iter().peekable();
         Self {
+            parsed,
             events,
             file,
             content,

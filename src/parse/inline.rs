@@ -72,6 +72,9 @@ impl<'a> Reader<'a, '_> {
     /// The run of adjacent texts that starts with `text`.
     pub(super) fn gather(&mut self, text: &str, range: Range<usize>) -> Run {
         let mut run = Run { text: text.to_owned(), map: SourceMap::default(), escaped: Vec::new(), end: range.end };
+        if self.parsed.as_bytes()[..range.start.min(self.parsed.len())].ends_with(b"\\") {
+            run.escaped.push(0);
+        }
         run.map.push(0, range);
         while let Some((Event::Text(_), _)) = self.events.peek() {
             let Some((Event::Text(text), range)) = self.events.next() else { break };

@@ -9,6 +9,9 @@ use super::Plan;
 use crate::diag::{Code, Diagnostic, Place};
 use crate::parse::{CalloutKind, Chapter, Course, Label, Node, What};
 
+/// The ids that the templates of pages have for themselves.
+const OF_PAGES: &[&str] = &["main", "on-this-page"];
+
 /// What a label can name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LabelKind {
@@ -100,6 +103,18 @@ impl Labels {
     /// The ids of all labels, sorted.
     pub fn ids(&self) -> impl Iterator<Item = &str> {
         self.targets.keys().map(String::as_str)
+    }
+
+    /// Whether something in the chapter `chapter` has this id.
+    pub fn stands_in(&self, chapter: usize, id: &str) -> bool {
+        self.ids_in(chapter).any(|known| known == id)
+    }
+
+    /// The ids of a chapter: those of its labels, and those of its headings and callouts.
+    pub fn ids_in(&self, chapter: usize) -> impl Iterator<Item = &str> {
+        let labels = self.targets.iter().filter(move |(_, target)| target.chapter == chapter).map(|(id, _)| id);
+        let anchors = self.anchors.range((chapter, 0)..(chapter + 1, 0)).map(|(_, anchor)| &anchor.id);
+        labels.chain(anchors).map(String::as_str)
     }
 
     /// The id and number of a heading, equation or callout: the node `node` of the chapter `chapter`.
@@ -209,6 +224,10 @@ impl Numbering<'_> {
         self.section[level..].fill(0);
         let inner = self.section[1..level].iter().map(usize::to_string).collect::<Vec<_>>().join(".");
         let number = format!("{}.{inner}", self.index + 1);
+        if let Some(id) = id.filter(|id| !id.starts_with("sec-") && self.taken(id)) {
+            let error = Diagnostic::error(Code::DuplicateId, format!("the id `{id}` is used twice on this page"));
+            self.diagnostics.push(error.at_place(&self.place(node.range.clone())).help("give one of them another id"));
+        }
         let id = id.map_or_else(|| self.free_id(&slug(&self.chapter.content.nodes[at + 1..end])), str::to_owned);
         if id.starts_with("sec-") {
             self.define(&id, LabelKind::Section, number.clone(), self.place(node.range.clone()));
@@ -217,12 +236,16 @@ impl Numbering<'_> {
         self.sections.push(Section { id, number, level, title: at + 1..end });
     }
 
-    /// `slug`, or the first of `slug-2`, `slug-3`, ... that no heading of the chapter has.
+    /// Whether a heading of the chapter, or the page around it, has this id.
+    fn taken(&self, id: &str) -> bool {
+        OF_PAGES.contains(&id) || self.sections.iter().any(|section| section.id == id)
+    }
+
+    /// `slug`, or the first of `slug-2`, `slug-3`, ... that is free on the page.
     fn free_id(&self, slug: &str) -> String {
-        let taken = |id: &str| self.sections.iter().any(|section| section.id == id);
         let mut id = slug.to_owned();
         let mut count = 1;
-        while taken(&id) {
+        while self.taken(&id) {
             count += 1;
             id = format!("{slug}-{count}");
         }

@@ -17,7 +17,7 @@ use crate::parse::{Callout, Cited, Course, Formula, Node, ValueUse, What};
 pub(super) fn check(course: &Course, plan: &Plan, diagnostics: &mut Vec<Diagnostic>) {
     let converter = Converter::new(&course.configuration.macros, diagnostics);
     for (index, chapter) in course.chapters.iter().enumerate() {
-        let mut checking = Checking { file: &chapter.file, course, plan, converter: &converter, diagnostics };
+        let mut checking = Checking { file: &chapter.file, index, course, plan, converter: &converter, diagnostics };
         checking.nodes(&chapter.content.nodes);
         for exhibit in plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index) {
             checking.nodes(&exhibit.caption);
@@ -31,6 +31,7 @@ pub(super) fn check(course: &Course, plan: &Plan, diagnostics: &mut Vec<Diagnost
 
 struct Checking<'a> {
     file: &'a Arc<str>,
+    index: usize,
     course: &'a Course,
     plan: &'a Plan,
     converter: &'a Converter,
@@ -90,7 +91,7 @@ impl Checking<'_> {
 
     fn link(&mut self, url: &str, range: &Range<usize>) {
         match links::resolve(url, self.course) {
-            Ok(_) => {}
+            Ok(address) => self.fragment(&address, range),
             Err(BadLink::Scheme) => {
                 let help = "links are of the kinds `http`, `https` and `mailto`, or lead to a place in the book";
                 self.tell(
@@ -105,6 +106,22 @@ impl Checking<'_> {
                 let near = nearest(url, stems).map(|near| format!("did you mean `{near}.md`?"));
                 self.tell(Code::BrokenLink, format!("the book has no chapter `{url}`"), range, near);
             }
+        }
+    }
+
+    /// The place on a chapter's page that an address in the book names.
+    fn fragment(&mut self, address: &str, range: &Range<usize>) {
+        let Some((page, id)) = address.split_once('#') else { return };
+        let chapter = match page.strip_suffix(".html") {
+            Some(slug) => self.course.chapters.iter().position(|chapter| chapter.slug == slug),
+            None => page.is_empty().then_some(self.index),
+        };
+        // Raw HTML may have ids that the plan does not know; the finished book is checked again.
+        let Some(chapter) = chapter.filter(|_| !self.course.configuration.allow_html) else { return };
+        if !self.plan.labels.stands_in(chapter, id) && !self.plan.seen.is_wrong(id) {
+            let near = nearest(id, self.plan.labels.ids_in(chapter)).map(|near| format!("did you mean `#{near}`?"));
+            let file = &self.course.chapters[chapter].file;
+            self.tell(Code::BrokenLink, format!("`{file}` has no place `#{id}`"), range, near);
         }
     }
 

@@ -156,8 +156,9 @@ impl<'a> Writer<'a> {
             Tag::Strong => self.out.push_str("<strong>"),
             Tag::Strikethrough => self.out.push_str("<del>"),
             Tag::Link { dest_url, title, .. } => self.link(dest_url, title),
-            Tag::Image { dest_url, .. } => {
-                let _ = write!(self.out, "<img src=\"{}\" alt=\"", escape(dest_url));
+            Tag::Image { dest_url, title, .. } => {
+                let title = if title.is_empty() { String::new() } else { format!(" title=\"{}\"", escape(title)) };
+                let _ = write!(self.out, "<img src=\"{}\"{title} alt=\"", escape(dest_url));
             }
             _ => {}
         }
