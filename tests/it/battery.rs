@@ -265,7 +265,7 @@ fn catalogues_are_complete() {
     let integrands: Vec<&About> = workbook::integrands::INTEGRANDS.iter().map(|entry| entry.about()).collect();
     let metrics: Vec<&About> = workbook::metrics::abouts().collect();
     let helpers = [
-        ("samplers", vec!["mod", "digits", "enumeration", "method", "poisson", "refused"], samplers),
+        ("samplers", vec!["mod", "batch", "digits", "enumeration", "method", "poisson", "refused"], samplers),
         ("scrambles", vec!["mod", "walk"], scrambles),
         ("integrands", vec!["mod", "function", "genz"], integrands),
         ("metrics", vec!["mod", "occupancy", "spectrum", "star_bound"], metrics),
