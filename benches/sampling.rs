@@ -152,7 +152,7 @@ fn their_rand_xoshiro(bencher: Bencher) {
         .bench_local(|| (0..32768).map(|_| generator.random::<f64>()).collect::<Vec<f64>>());
 }
 
-#[divan::bench(args = [(4096, 2), (100_000, 2), (1024, 3), (100, 4)], sample_count = 5)]
+#[divan::bench(args = [(4096, 2), (100_000, 2), (1024, 3), (100, 4)], sample_count = 3, sample_size = 1)]
 fn star_discrepancy(bencher: Bencher, (n, d): (usize, usize)) {
     let points = points("sobol+owen-hash", n, d);
     bencher.counter(ItemsCount::new(n)).bench(|| star::star_discrepancy(&points).unwrap());

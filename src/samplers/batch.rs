@@ -159,17 +159,29 @@ pub fn radical(radix: Radix, image: impl Fn(usize, u64) -> u64, tail: f64, out: 
         }
         sum
     };
-    let table: Vec<u64> = (0..entries).map(|index| mapped(index, 0..low_digits)).collect();
+    // Numerators are below 2^53: as `f64` they are exact, and so is their sum.
+    let table: Vec<f64> = (0..entries).map(|index| mapped(index, 0..low_digits) as f64).collect();
     for (high, block) in out.chunks_mut(entries as usize * stride).enumerate() {
         let above = mapped(high as u64, low_digits..radix.digits as usize);
         if tail == 0.0 {
-            for (x, low) in block.iter_mut().step_by(stride).zip(&table) {
-                *x = radix.coordinate(low + above);
-            }
+            divided(&table, above as f64, radix.scale as f64, block, stride);
         } else {
             for (x, low) in block.iter_mut().step_by(stride).zip(&table) {
-                *x = radix.coordinate_with(low + above, tail);
+                *x = radix.coordinate_with(*low as u64 + above, tail);
             }
+        }
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
+fn divided(table: &[f64], above: f64, scale: f64, out: &mut [f64], stride: usize) {
+    let mut quotients = [0.0; 64];
+    for (out, lows) in out.chunks_mut(64 * stride).zip(table.chunks(64)) {
+        for (quotient, low) in quotients.iter_mut().zip(lows) {
+            *quotient = (low + above) / scale;
+        }
+        for (x, quotient) in out.iter_mut().step_by(stride).zip(&quotients) {
+            *x = *quotient;
         }
     }
 }

@@ -268,7 +268,7 @@ fn catalogues_are_complete() {
         ("samplers", vec!["mod", "batch", "digits", "enumeration", "method", "poisson", "refused"], samplers),
         ("scrambles", vec!["mod", "walk"], scrambles),
         ("integrands", vec!["mod", "function", "genz"], integrands),
-        ("metrics", vec!["mod", "occupancy", "spectrum", "star_bound"], metrics),
+        ("metrics", vec!["mod", "occupancy", "spectrum", "star_bound", "star_space"], metrics),
     ];
     for (folder, others, abouts) in helpers {
         let mut files: Vec<String> = others.iter().map(|name| format!("{folder}/{name}.rs")).collect();
