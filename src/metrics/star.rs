@@ -158,6 +158,12 @@ struct Sweep<'a> {
 #[derive(Default)]
 struct Block {
     below: u32,
+    /// How many points lie on the block's own ordinates.
+    inside: u32,
+    /// The last maximum over the full corners, less the share of points then: more points raise it by their share at most.
+    full_base: f64,
+    /// The last maximum over the empty corners, less the area times the block's last ordinate then: more area raises it by as much at most.
+    empty_base: f64,
     /// Corners (ordinate, closed count), such that count/n - x y is largest at one of them for every x.
     full: Vec<(f64, u32)>,
     /// Corners (ordinate, open count), such that x y - count/n is largest at one of them.
@@ -167,8 +173,9 @@ struct Block {
 impl<'a> Sweep<'a> {
     fn new(ys: &'a [f64], n: usize) -> Self {
         // Adding costs a block's size and the number of blocks; asking costs the number of blocks and a search in each.
-        let size = ((ys.len() as f64).sqrt() * 2.0).ceil() as usize;
-        let blocks = (0..ys.len().div_ceil(size)).map(|_| Block::default()).collect();
+        let size = ((ys.len() as f64).sqrt()).ceil() as usize;
+        let fresh = || Block { full_base: f64::INFINITY, empty_base: f64::INFINITY, ..Block::default() };
+        let blocks = (0..ys.len().div_ceil(size)).map(|_| fresh()).collect();
         let mut sweep = Self { ys, n: n as f64, size, on: vec![0; ys.len()], blocks };
         (0..sweep.blocks.len()).for_each(|block| sweep.rebuild(block));
         sweep
@@ -187,7 +194,7 @@ impl<'a> Sweep<'a> {
     fn rebuild(&mut self, block: usize) {
         let from = block * self.size;
         let to = (from + self.size).min(self.ys.len());
-        let Block { mut full, mut empty, below } = std::mem::take(&mut self.blocks[block]);
+        let Block { mut full, mut empty, below, full_base, empty_base, .. } = std::mem::take(&mut self.blocks[block]);
         full.clear();
         empty.clear();
         let mut count = 0;
@@ -196,29 +203,44 @@ impl<'a> Sweep<'a> {
             count += self.on[at];
             push(&mut full, (self.ys[at], count), true);
         }
-        self.blocks[block] = Block { below, full, empty };
+        self.blocks[block] = Block { below, inside: count, full_base, empty_base, full, empty };
     }
 
     /// Offers the largest count/n - x y over closed boxes.
-    fn largest_full(&self, x: f64, height: f64, best: &mut Best) {
-        let area = x * height;
-        let score = |(y, count): (f64, u32)| f64::from(count) / self.n - area * y;
-        for block in &self.blocks {
+    fn largest_full(&mut self, x: f64, height: f64, best: &mut Best) {
+        let (n, area) = (self.n, x * height);
+        let score = |(y, count): (f64, u32)| f64::from(count) / n - area * y;
+        for block in &mut self.blocks {
+            let share = f64::from(block.below + block.inside) / n;
+            if block.full_base + share + SLACK < best.value {
+                continue;
+            }
             let (y, count) = peak(&block.full, score);
-            best.offer(score((y, block.below + count)), || vec![x, y]);
+            let value = score((y, block.below + count));
+            block.full_base = value - share;
+            best.offer(value, || vec![x, y]);
         }
     }
 
     /// Offers the largest x y - count/n over open boxes.
-    fn largest_empty(&self, x: f64, height: f64, best: &mut Best) {
-        let area = x * height;
-        let score = |(y, count): (f64, u32)| area * y - f64::from(count) / self.n;
-        for block in &self.blocks {
+    fn largest_empty(&mut self, x: f64, height: f64, best: &mut Best) {
+        let (n, area) = (self.n, x * height);
+        let score = |(y, count): (f64, u32)| area * y - f64::from(count) / n;
+        for block in &mut self.blocks {
+            let last = block.empty.last().map_or(1.0, |corner| corner.0);
+            if block.empty_base + area * last + SLACK < best.value {
+                continue;
+            }
             let (y, count) = peak(&block.empty, score);
-            best.offer(score((y, block.below + count)), || vec![x, y]);
+            let value = score((y, block.below + count));
+            block.empty_base = value - area * last;
+            best.offer(value, || vec![x, y]);
         }
     }
 }
+
+/// More than rounding can make of a bound.
+const SLACK: f64 = 1e-12;
 
 /// Adds a corner at the right of a hull that bends down (`upper`) or up.
 fn push(hull: &mut Vec<(f64, u32)>, corner: (f64, u32), upper: bool) {

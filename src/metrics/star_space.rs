@@ -48,7 +48,9 @@ impl Search<'_> {
         let lowest = self.order.iter().filter(|&&place| place < count);
         let plane: Vec<[f64; 2]> = lowest.map(|&place| [self.rows[place][0], self.rows[place][1]]).collect();
         let heights = [self.below(count), self.above(count)];
-        let mut found = [Best::default(), Best::default()];
+        // Extrema below this share of the best need not be known exactly to skip their neighbours: the sweep may pass over blocks that cannot reach it.
+        let floor = 0.6 * self.best.value;
+        let mut found = [(); 2].map(|()| Best { value: floor, corner: vec![0.0; 2] });
         sweep(&plane, self.rows.len(), heights, &mut found);
         let extrema = [found[0].value, found[1].value];
         for (found, height) in found.into_iter().zip(heights) {

@@ -159,8 +159,14 @@ pub fn radical(radix: Radix, image: impl Fn(usize, u64) -> u64, tail: f64, out: 
         }
         sum
     };
-    // Numerators are below 2^53: as `f64` they are exact, and so is their sum.
-    let table: Vec<f64> = (0..entries).map(|index| mapped(index, 0..low_digits) as f64).collect();
+    // Numerators are below 2^53: as `f64` they are exact, and so is their sum. Each further digit repeats the table b times.
+    let mut table = vec![0.0];
+    let mut place = radix.scale;
+    for position in 0..low_digits {
+        place /= base;
+        let digits = (0..base).map(|digit| (image(position, digit) * place) as f64);
+        table = digits.flat_map(|worth| table.iter().map(move |low| low + worth)).collect();
+    }
     for (high, block) in out.chunks_mut(entries as usize * stride).enumerate() {
         let above = mapped(high as u64, low_digits..radix.digits as usize);
         if tail == 0.0 {
