@@ -1,4 +1,5 @@
-//! The battery: every sampler, alone and with every scramble, is held to what it declares over many n, d and seeds.
+//! The battery: every sampler, alone and with every scramble, is held to what it declares over many
+//! n, d and seeds.
 //!
 //! The checks themselves are in `checks.rs`.
 
@@ -161,7 +162,8 @@ fn random_access_gives_the_bits_of_the_batch() {
     assert!(checked > 100, "only {checked} methods have random access");
 }
 
-/// Every sequence stays in [0, 1) at the last indices of 32 bits and at those of the traps, in `f64` and as `f32` rounded towards 0.
+/// Every sequence stays in [0, 1) at the last indices of 32 bits and at those of the traps, in
+/// `f64` and as `f32` rounded towards 0.
 #[test]
 fn far_indices_stay_below_one() {
     let indices =
@@ -208,8 +210,8 @@ fn consecutive_points_fill_boxes() {
     }
 }
 
-/// Over seeds the points together are uniform (mean and second moment on every axis, no correlation of neighbouring axes): within 5 standard errors, which
-/// are measured over the seeds.
+/// Over seeds the points together are uniform (mean and second moment on every axis, no correlation
+/// of neighbouring axes): within 5 standard errors, which are measured over the seeds.
 #[test]
 fn points_are_uniform_over_seeds() {
     for (method, n, d) in cases().filter(|&(_, n, d)| [1, 8, 9, 16].contains(&n) && d <= 3) {
@@ -256,7 +258,8 @@ fn names_read_back_and_slips_are_answered() {
     );
 }
 
-/// Catalogues: unique keys, sources that are the file named, at least one paper each, and every file of the folder listed.
+/// Catalogues: unique keys, sources that are the file named, at least one paper each, and every
+/// file of the folder listed.
 #[test]
 fn catalogues_are_complete() {
     use workbook::catalogue::About;
