@@ -162,6 +162,31 @@ fn random_access_gives_the_bits_of_the_batch() {
     assert!(checked > 100, "only {checked} methods have random access");
 }
 
+/// The same over many blocks and tables of the fast paths, which a small set does not reach.
+#[test]
+fn long_batches_give_the_bits_of_random_access() {
+    let names = [
+        "sobol",
+        "sobol+xor",
+        "sobol+owen-hash",
+        "zero-two+xor",
+        "halton",
+        "halton+permutation",
+        "halton+xor",
+        "hammersley",
+    ];
+    for method in names.map(|name| Method::parse(name).expect(name)) {
+        for (n, d) in [(5000, 1), (5000, 2), (3001, 7), (700, 100)] {
+            let seed = Seed::new(3);
+            let (Ok(points), Some(sample)) = (method.points(n, d, seed), method.sample(n, d, seed)) else { continue };
+            for (i, row) in points.rows().enumerate() {
+                let same = row.iter().enumerate().all(|(axis, &x)| sample(i as u64, axis) == x);
+                assert!(same, "{method}: n = {n}, d = {d}, point {i}");
+            }
+        }
+    }
+}
+
 /// Every sequence stays in [0, 1) at the last indices of 32 bits and at those of the traps, in
 /// `f64` and as `f32` rounded towards 0.
 #[test]
