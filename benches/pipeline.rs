@@ -4,6 +4,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a benchmark that cannot run should say so")]
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -14,6 +15,7 @@ use workbook::compose::{Composed, Request, check, compose};
 use workbook::kinds::Outcome;
 use workbook::plan::Plan;
 use workbook::seed::Seed;
+use workbook::sources::Sources;
 use workbook::{parse, render, workspace};
 
 /// The first course.
@@ -97,7 +99,15 @@ mod program {
 
 /// The stages that every build repeats.
 mod stages {
-    use super::{Bencher, check, composed, course, draw, many_points, parse, render, request, workspace};
+    use super::{
+        Bencher, Sources, check, composed, course, draw, library, many_points, parse, render, request, workspace,
+    };
+
+    #[divan::bench]
+    fn digest_the_library(bencher: Bencher) {
+        let files = library();
+        bencher.bench(|| Sources::new(files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice())), ""));
+    }
 
     #[divan::bench]
     fn parse_the_course(bencher: Bencher) {
@@ -122,6 +132,24 @@ mod stages {
         let (plan, outcome) = many_points();
         bencher.bench(|| draw(&plan, &outcome));
     }
+}
+
+/// Every file of the library by its path from `src`.
+fn library() -> BTreeMap<String, Vec<u8>> {
+    let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let (mut files, mut folders) = (BTreeMap::new(), vec![top.clone()]);
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("the folder is there") {
+            let path = entry.expect("the folder can be read").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let name = path.strip_prefix(&top).expect("it lies below").to_string_lossy().replace('\\', "/");
+                files.insert(name, fs::read(&path).expect("a file can be read"));
+            }
+        }
+    }
+    files
 }
 
 /// A copy of the first course in a folder called `name`, with neither a book nor results.

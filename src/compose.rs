@@ -57,6 +57,13 @@ pub struct Composed {
     pub timings: Vec<(&'static str, Duration)>,
 }
 
+impl Composed {
+    /// Whether every exhibit that the chapters ask for is there, whatever is said of it.
+    pub fn is_whole(&self) -> bool {
+        !self.plan.seen.any_wrong() && self.shown.len() == self.plan.exhibits.len()
+    }
+}
+
 /// What checking a course without running it gives.
 pub struct Planned {
     /// The inputs, for the excerpts of diagnostics.

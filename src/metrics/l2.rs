@@ -25,6 +25,7 @@ use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::stats::moments::{Sum, sum};
 use crate::stats::portable::power;
+use multiversion::multiversion;
 
 /// The measure `l2-star`.
 pub struct L2Star;
@@ -145,39 +146,44 @@ fn root(square: f64) -> f64 {
 }
 
 /// The sum over all pairs, ordered, of the product over axes of the symmetric `factor`.
-fn pairs(points: &Points, factor: impl Fn(f64, f64) -> f64 + Copy) -> f64 {
+fn pairs<F: Fn(f64, f64) -> f64 + Copy>(points: &Points, factor: F) -> f64 {
     let (n, d) = (points.len(), points.dimensions());
     // Axis by axis, so that the inner loop runs over neighbours in memory.
     let axes: Vec<Vec<f64>> = (0..d).map(|axis| points.axis(axis).collect()).collect();
     let mut total = Sum::default();
-    let mut products = vec![0.0; n];
     for i in 0..n {
-        let products = &mut products[i..];
-        products.fill(1.0);
-        for axis in &axes {
-            let x = axis[i];
-            for (product, &y) in products.iter_mut().zip(&axis[i..]) {
-                *product *= factor(x, y);
-            }
-        }
         // Each pair counts twice, a point with itself once.
-        total.add(2.0 * lanes(&products[1..]) + products[0]);
+        let own: f64 = axes.iter().map(|axis| factor(axis[i], axis[i])).product();
+        total.add(2.0 * pairs_after(&axes, i, factor) + own);
     }
     total.value()
 }
 
-/// A sum in eight lanes, in a fixed order: the same bits whatever the processor, and as fast as it can add.
-fn lanes(terms: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
-    let chunks = terms.chunks_exact(8);
-    let rest: f64 = chunks.remainder().iter().sum();
-    for chunk in chunks {
-        for (lane, term) in lanes.iter_mut().zip(chunk) {
-            *lane += term;
+/// The sum over the points after point i, in blocks that stay in registers; the same order of roundings on every processor.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
+fn pairs_after<F: Fn(f64, f64) -> f64 + Copy>(axes: &[Vec<f64>], i: usize, factor: F) -> f64 {
+    let n = axes[0].len();
+    let mut lanes = [0.0; LANES];
+    let mut from = i + 1;
+    while from + LANES <= n {
+        let mut products = [1.0; LANES];
+        for axis in axes {
+            let x = axis[i];
+            for (product, y) in products.iter_mut().zip(&axis[from..from + LANES]) {
+                *product *= factor(x, *y);
+            }
         }
+        for (lane, product) in lanes.iter_mut().zip(&products) {
+            *lane += product;
+        }
+        from += LANES;
     }
+    let rest: f64 = (from..n).map(|k| axes.iter().map(|axis| factor(axis[i], axis[k])).product::<f64>()).sum();
     lanes.iter().sum::<f64>() + rest
 }
+
+/// Pairs side by side.
+const LANES: usize = 32;
 
 /// The double sum of the star form in the plane, in n log n: points by falling x, so that the maximum in x is known, and prefix sums over y in a tree.
 fn pairs_in_the_plane(points: &Points) -> f64 {

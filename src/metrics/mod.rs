@@ -14,6 +14,7 @@ pub mod occupancy;
 pub mod spectrum;
 pub mod star;
 mod star_bound;
+mod star_space;
 
 /// Every measure that is one number, in the order of display.
 pub static METRICS: &[&dyn Metric] = &[

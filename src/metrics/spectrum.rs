@@ -3,8 +3,8 @@
 //! **Formula.** P(w) = (1/n) | sum_i exp(-2 pi i w.x_i) |^2 at whole frequencies w = (u, v); P(0) = n, and 1 is the mean for independent points. Expected for jittered points on a k x k
 //! grid: 1 - prod sinc^2(w_j / k).
 //!
-//! **Algorithm.** exp(-2 pi i (u x + v y)) is a product of a factor in x and one in y, so that the sums for all (u, v) are a product of two matrices over the points. P(-w) = P(w): half of
-//! the plane is computed.
+//! **Algorithm.** exp(-2 pi i (u x + v y)) is a product of a factor in x and one in y, so that the sums for all (u, v) are a product of two matrices over the points. P(-w) = P(w), and the
+//! four products of cos and sin in a quarter of the plane give the other quarters.
 //!
 //! **Radial means.** [`Spectrum::radial`] averages over rings of width 1 with their counts; the anisotropy of a ring is the variance of P over the ring, relative to the square of its mean, in decibels.
 //!
@@ -22,6 +22,7 @@
 use super::{Unmeasured, check};
 use crate::points::Points;
 use crate::stats::portable;
+use multiversion::multiversion;
 use std::f64::consts::TAU;
 
 /// The highest frequency that may be asked for.
@@ -107,28 +108,64 @@ pub fn power(points: &Points, reach: usize) -> Result<Spectrum, Unmeasured> {
     if reach > HIGHEST {
         return Err(Unmeasured::Size { n, d: 2, limit: "frequencies go up to 4096" });
     }
-    let (width, height) = (2 * reach + 1, reach + 1);
-    let (mut real, mut imaginary) = (vec![0.0; width * height], vec![0.0; width * height]);
-    let (mut columns, mut rows) = (Waves::new(width), Waves::new(height));
-    for point in points.rows() {
-        columns.set(point[0], -(reach as f64));
-        rows.set(point[1], 0.0);
-        for v in 0..height {
-            let (cos, sin) = (rows.cos[v], rows.sin[v]);
-            accumulate(&mut real[v * width..][..width], &mut imaginary[v * width..][..width], &columns, cos, sin);
+    let side = reach + 1;
+    let mut sums = [(); 4].map(|()| vec![0.0; side * side]);
+    let mut waves: Vec<[Waves; 2]> = (0..BLOCK).map(|_| [Waves::new(side), Waves::new(side)]).collect();
+    let mut rows = points.rows();
+    loop {
+        let block: Vec<&[f64]> = rows.by_ref().take(BLOCK).collect();
+        if block.is_empty() {
+            break;
         }
+        for (k, [columns, rows]) in waves.iter_mut().enumerate() {
+            if let Some(point) = block.get(k) {
+                columns.set(point[0]);
+                rows.set(point[1]);
+            } else {
+                // Places without a point add nothing.
+                columns.clear();
+                rows.clear();
+            }
+        }
+        accumulate(&mut sums, &waves, side);
     }
-    let half = real.iter().zip(&imaginary).map(|(re, im)| (re * re + im * im) / n as f64).collect();
-    Ok(Spectrum { reach, half })
+    Ok(Spectrum { reach, half: combine(&sums, reach, n as f64) })
 }
 
-/// Adds one point's waves to a row of sums.
-fn accumulate(real: &mut [f64], imaginary: &mut [f64], columns: &Waves, cos: f64, sin: f64) {
-    let waves = columns.cos.iter().zip(&columns.sin);
-    for ((re, im), (c, s)) in real.iter_mut().zip(imaginary).zip(waves) {
-        *re += c * cos - s * sin;
-        *im += c * sin + s * cos;
+/// Points taken together: each sum is loaded and stored once for all of them.
+const BLOCK: usize = 8;
+
+/// Adds the products cos cos, sin sin, sin cos and cos sin of u x and v y, for all u, v >= 0, over the points of a block, in their order.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
+fn accumulate(sums: &mut [Vec<f64>; 4], waves: &[[Waves; 2]], side: usize) {
+    let [cc, ss, sc, cs] = sums;
+    for v in 0..side {
+        let row = v * side..(v + 1) * side;
+        let (cc, ss, sc, cs) = (&mut cc[row.clone()], &mut ss[row.clone()], &mut sc[row.clone()], &mut cs[row]);
+        for pair in waves.chunks_exact(2) {
+            let ([a, p], [b, q]) = (&pair[0], &pair[1]);
+            let (pc, ps, qc, qs) = (p.cos[v], p.sin[v], q.cos[v], q.sin[v]);
+            let (ac, asin, bc, bsin) = (&a.cos[..side], &a.sin[..side], &b.cos[..side], &b.sin[..side]);
+            for u in 0..side {
+                cc[u] += ac[u] * pc + bc[u] * qc;
+                ss[u] += asin[u] * ps + bsin[u] * qs;
+                sc[u] += asin[u] * pc + bsin[u] * qc;
+                cs[u] += ac[u] * ps + bc[u] * qs;
+            }
+        }
     }
+}
+
+/// The power in the upper half plane from the sums in the quarter: cos(a + b) = cos a cos b - sin a sin b, and so on.
+fn combine([cc, ss, sc, cs]: &[Vec<f64>; 4], reach: usize, n: f64) -> Vec<f64> {
+    let side = reach + 1;
+    let power = |v: usize, column: usize| {
+        let (u, negative) = if column < reach { (reach - column, true) } else { (column - reach, false) };
+        let at = v * side + u;
+        let (re, im) = if negative { (cc[at] + ss[at], cs[at] - sc[at]) } else { (cc[at] - ss[at], sc[at] + cs[at]) };
+        (re * re + im * im) / n
+    };
+    (0..side).flat_map(|v| (0..=2 * reach).map(move |column| (v, column))).map(|(v, column)| power(v, column)).collect()
 }
 
 /// cos and sin of 2 pi w x for consecutive w.
@@ -145,11 +182,17 @@ impl Waves {
         Self { cos: vec![0.0; count], sin: vec![0.0; count] }
     }
 
-    /// Sets the waves of the coordinate `x` for the frequencies `from`, `from` + 1, ...
-    fn set(&mut self, x: f64, from: f64) {
+    /// Sets all waves to 0.
+    fn clear(&mut self) {
+        self.cos.fill(0.0);
+        self.sin.fill(0.0);
+    }
+
+    /// Sets the waves of the coordinate `x` for the frequencies 0, 1, ...
+    fn set(&mut self, x: f64) {
         let (cos, sin) = turn(x);
         for (block, (cosines, sines)) in self.cos.chunks_mut(STRIDE).zip(self.sin.chunks_mut(STRIDE)).enumerate() {
-            let (mut c, mut s) = turn((from + (block * STRIDE) as f64) * x);
+            let (mut c, mut s) = turn((block * STRIDE) as f64 * x);
             for (cosine, sine) in cosines.iter_mut().zip(sines) {
                 (*cosine, *sine) = (c, s);
                 (c, s) = (c * cos - s * sin, c * sin + s * cos);

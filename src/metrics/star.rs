@@ -3,7 +3,8 @@
 //! **Formula.** D* = sup over boxes \[0, q) in the unit cube of | #{x_i in \[0, q)} / n - vol |. The supremum needs boxes open and closed at their upper faces, whose corners have
 //! coordinates of points or 1.
 //!
-//! **Algorithms.** One dimension: sorting, 1/(2n) + max |x_(i) - (2i-1)/(2n)|. Two: a sweep along x over a tree in y, O(n log^2 n) in the mean, as below. More: all boxes of the grid of
+//! **Algorithms.** One dimension: sorting, 1/(2n) + max |x_(i) - (2i-1)/(2n)|. Two: a sweep along x over blocks in y, O(n^(3/2) log n), as below. Three: such sweeps at heights that bounds cannot
+//! skip. More: all boxes of the grid of
 //! coordinates, in the order of a tree that drops a branch as soon as its best bound is below the best found, up to a fixed number of steps; beyond, a lower bound, and called so.
 //!
 //! **The sweep.** Between two neighbouring abscissas X the box \[0, X) x \[0, y) holds a count c(y) that changes by steps; the two differences c(y)/n - X y and X y - c(y)/n are, for each fixed
@@ -19,6 +20,7 @@
 //! ```
 
 use super::star_bound::branch;
+use super::star_space::in_space;
 use super::{Measured, Metric, Unmeasured, check};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
@@ -68,6 +70,7 @@ pub fn star_discrepancy(points: &Points) -> Result<Measured, Unmeasured> {
     Ok(match points.dimensions() {
         1 => on_the_line(points),
         2 => in_the_plane(points),
+        3 => in_space(points),
         _ => branch(points),
     })
 }
@@ -91,7 +94,7 @@ fn on_the_line(points: &Points) -> Measured {
 #[derive(Default)]
 pub(super) struct Best {
     pub(super) value: f64,
-    corner: Vec<f64>,
+    pub(super) corner: Vec<f64>,
 }
 
 impl Best {
@@ -109,31 +112,36 @@ impl Best {
 
 /// Two dimensions, exact: a sweep over x with blocks of points sorted by y.
 fn in_the_plane(points: &Points) -> Measured {
-    let n = points.len();
-    let mut order: Vec<&[f64]> = points.rows().collect();
+    let mut order: Vec<[f64; 2]> = points.rows().map(|x| [x[0], x[1]]).collect();
     order.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
-    let mut ys: Vec<f64> = points.axis(1).collect();
-    ys.push(1.0);
+    let mut best = [Best::default(), Best::default()];
+    sweep(&order, points.len(), [1.0, 1.0], &mut best);
+    let [full, empty] = best;
+    if full.value > empty.value { full.measured() } else { empty.measured() }
+}
+
+/// Offers, for the boxes of the plane, the largest count/n - `heights[0]` x y over closed boxes and the largest `heights[1]` x y - count/n over open ones, of points sorted by x. Boxes of
+/// space are this, with the points below a height and the height.
+pub(super) fn sweep(order: &[[f64; 2]], n: usize, heights: [f64; 2], best: &mut [Best; 2]) {
+    let mut ys: Vec<f64> = order.iter().map(|x| x[1]).chain([1.0]).collect();
     ys.sort_unstable_by(f64::total_cmp);
     ys.dedup();
     let mut sweep = Sweep::new(&ys, n);
-    let mut best = Best::default();
     let mut next = 0;
-    while next < n {
+    while next < order.len() {
         let x = order[next][0];
         // Boxes open at x hold the points left of it.
-        sweep.largest_empty(x, &mut best);
-        while next < n && order[next][0] == x {
+        sweep.largest_empty(x, heights[1], &mut best[1]);
+        while next < order.len() && order[next][0] == x {
             sweep.add(order[next][1]);
             next += 1;
         }
         // Boxes closed at x hold those on it as well.
-        sweep.largest_full(x, &mut best);
+        sweep.largest_full(x, heights[0], &mut best[0]);
     }
-    if order[n - 1][0] < 1.0 {
-        sweep.largest_empty(1.0, &mut best);
+    if order.last().is_none_or(|x| x[0] < 1.0) {
+        sweep.largest_empty(1.0, heights[1], &mut best[1]);
     }
-    best.measured()
 }
 
 /// The ordinates in blocks, with the counts of points below (open) and up to (closed) each.
@@ -192,8 +200,9 @@ impl<'a> Sweep<'a> {
     }
 
     /// Offers the largest count/n - x y over closed boxes.
-    fn largest_full(&self, x: f64, best: &mut Best) {
-        let score = |(y, count): (f64, u32)| f64::from(count) / self.n - x * y;
+    fn largest_full(&self, x: f64, height: f64, best: &mut Best) {
+        let area = x * height;
+        let score = |(y, count): (f64, u32)| f64::from(count) / self.n - area * y;
         for block in &self.blocks {
             let (y, count) = peak(&block.full, score);
             best.offer(score((y, block.below + count)), || vec![x, y]);
@@ -201,8 +210,9 @@ impl<'a> Sweep<'a> {
     }
 
     /// Offers the largest x y - count/n over open boxes.
-    fn largest_empty(&self, x: f64, best: &mut Best) {
-        let score = |(y, count): (f64, u32)| x * y - f64::from(count) / self.n;
+    fn largest_empty(&self, x: f64, height: f64, best: &mut Best) {
+        let area = x * height;
+        let score = |(y, count): (f64, u32)| area * y - f64::from(count) / self.n;
         for block in &self.blocks {
             let (y, count) = peak(&block.empty, score);
             best.offer(score((y, block.below + count)), || vec![x, y]);

@@ -1,4 +1,4 @@
-//! The star discrepancy in three and more dimensions: all boxes of the grid, with branches dropped by bounds.
+//! The star discrepancy in four and more dimensions: all boxes of the grid, with branches dropped by bounds.
 //!
 //! A branch fixes the upper corner's coordinates on the first axes and carries along the points that are still inside. With the axes left open the count only falls and the volume
 //! only shrinks, which bounds every box of the branch: the excess of points by what is inside now, the excess of volume by the volume now.
@@ -10,7 +10,7 @@ use crate::points::Points;
 /// Points looked at before the search settles for a lower bound: some seconds.
 const STEPS: u64 = 4_000_000_000;
 
-/// The star discrepancy of points of three or more dimensions, or a lower bound where the steps run out.
+/// The star discrepancy of points of any dimension, or a lower bound where the steps run out.
 pub(super) fn branch(points: &Points) -> Measured {
     let (n, d) = (points.len(), points.dimensions());
     let grid: Vec<Vec<f64>> = (0..d)

@@ -11,9 +11,15 @@ pub struct Seen {
     ids: BTreeMap<String, Place>,
     wrong: BTreeSet<String>,
     captions: Vec<(usize, Vec<Node>)>,
+    failed: usize,
 }
 
 impl Seen {
+    /// Whether any fence is wrong.
+    pub fn any_wrong(&self) -> bool {
+        self.failed > 0
+    }
+
     /// Whether `id` belongs to a fence that is wrong: then what refers to it is not to blame.
     pub fn is_wrong(&self, id: &str) -> bool {
         self.wrong.contains(id)
@@ -37,6 +43,7 @@ impl Seen {
 
     /// Notes that a fence of the chapter is wrong.
     pub(super) fn fail(&mut self, chapter: usize, id: Option<String>, caption: Option<Vec<Node>>) {
+        self.failed += 1;
         self.wrong.extend(id);
         self.captions.extend(caption.map(|caption| (chapter, caption)));
     }

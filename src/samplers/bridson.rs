@@ -9,7 +9,7 @@
 //!
 //! **Cost.** Linear in n for each run; the radius is corrected over several runs until a run ends with exactly n points.
 //!
-//! **Limits.** Two dimensions. It is not the distribution of dart throwing: points crowd just beyond the radius of their parent. The count of a run cannot be foreseen; if forty runs miss n, the nearest larger one
+//! **Limits.** Two dimensions. It is not the distribution of dart throwing: points crowd just beyond the radius of their parent. The count of a run cannot be foreseen; if eight runs miss n, the nearest larger one
 //! loses its surplus at random.
 //!
 //! **Paper.** R. Bridson, Fast Poisson Disk Sampling in Arbitrary Dimensions, SIGGRAPH sketches 2007, doi 10.1145/1278780.1278807.

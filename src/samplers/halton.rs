@@ -96,6 +96,10 @@ impl Digital for Halton {
     fn numerator(&self, index: u64, axis: usize) -> u64 {
         self.radix(axis).reversed(index)
     }
+
+    fn is_radical(&self, _axis: usize) -> bool {
+        true
+    }
 }
 
 /// The radical inverse of `index` in base `base`, in [0, 1): the digits reversed as a whole number, then one division.

@@ -22,7 +22,7 @@
 
 use super::digits::{logarithm, root};
 use super::halton::{MOST_DIMENSIONS, PRIMES};
-use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, refused};
+use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, batch, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -65,9 +65,9 @@ impl Sampler for Hammersley {
         let mut coordinates = refused::allocate(n, d)?;
         for (i, point) in coordinates.chunks_exact_mut(d).enumerate() {
             point[0] = i as f64 / n as f64;
-            for (x, prime) in point[1..].iter_mut().zip(PRIMES) {
-                *x = Radix::new(prime).coordinate(Radix::new(prime).reversed(i as u64));
-            }
+        }
+        for (axis, prime) in (1..d).zip(PRIMES) {
+            batch::radical(Radix::new(prime), |_, digit| digit, 0.0, &mut coordinates[axis..], d);
         }
         refused::points(d, coordinates)
     }
@@ -117,5 +117,9 @@ impl Digital for Set {
         let radix = self.radices[axis];
         // n divides the scale: both are powers of the same base.
         if axis == 0 { index * (radix.scale / self.n) } else { radix.reversed(index) }
+    }
+
+    fn is_radical(&self, axis: usize) -> bool {
+        axis > 0
     }
 }

@@ -9,7 +9,7 @@
 //!
 //! **Cost.** Linear in n for each run; the radius is corrected over several runs until a run ends with exactly n points.
 //!
-//! **Limits.** Two dimensions. If forty runs miss n, the nearest larger one loses its surplus at random, and is maximal no more.
+//! **Limits.** Two dimensions. If eight runs miss n, the nearest larger one loses its surplus at random, and is maximal no more.
 //!
 //! **Paper.** M. S. Ebeida, S. A. Mitchell, A. Patney, A. A. Davidson and J. D. Owens, A Simple Algorithm for Maximal Poisson-Disk Sampling in High Dimensions, Comput. Graph. Forum 31(2) (2012), doi
 //! 10.1111/j.1467-8659.2012.03059.x.

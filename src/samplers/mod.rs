@@ -8,6 +8,7 @@ use crate::catalogue::Entry;
 use crate::points::Points;
 use crate::seed::Seed;
 
+pub mod batch;
 pub mod best_candidate;
 pub mod bridson;
 pub mod centred_grid;
@@ -134,6 +135,11 @@ pub trait Digital: Send + Sync {
     /// The numerator, over `radix(axis).scale`, of the coordinate of point `index` on the axis `axis < d`.
     fn numerator(&self, index: u64, axis: usize) -> u64;
 
+    /// Whether the numerators on `axis` are the radical inverses of the index in its base.
+    fn is_radical(&self, _axis: usize) -> bool {
+        false
+    }
+
     /// The numerators of points `first`, `first + 1`, ... on one axis: the same as one by one, but faster.
     fn numerators(&self, first: u64, axis: usize, out: &mut [u64]) {
         for (index, numerator) in (first..).zip(out) {
@@ -228,11 +234,20 @@ fn digital_points(sampler: &dyn Sampler, n: usize, d: usize) -> Result<Points, R
     sampler.admits(n, d)?;
     let digital = sampler.digital(n, d).ok_or(Refused::Dimensions { d, least: 1, most: 1 })?;
     let mut coordinates = refused::allocate(n, d)?;
+    if sampler.digits() == Digits::Binary
+        && batch::binary(digital.as_ref(), &vec![batch::Finish::Plain; d], &mut coordinates)
+    {
+        return refused::points(d, coordinates);
+    }
     let mut block = [0; 256];
-    for (k, rows) in coordinates.chunks_mut(block.len() * d).enumerate() {
-        let numerators = &mut block[..rows.len() / d];
-        for axis in 0..d {
-            let radix = digital.radix(axis);
+    for axis in 0..d {
+        let radix = digital.radix(axis);
+        if digital.is_radical(axis) {
+            batch::radical(radix, |_, digit| digit, 0.0, &mut coordinates[axis..], d);
+            continue;
+        }
+        for (k, rows) in coordinates.chunks_mut(block.len() * d).enumerate() {
+            let numerators = &mut block[..rows.len() / d];
             digital.numerators((k * 256) as u64, axis, numerators);
             for (row, &numerator) in rows.chunks_exact_mut(d).zip(&*numerators) {
                 row[axis] = radix.coordinate(numerator);

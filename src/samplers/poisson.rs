@@ -56,6 +56,15 @@ impl Buckets {
         ((x * self.side as f64) as usize).min(self.side - 1)
     }
 
+    /// `at` - `back` modulo the side, for both less than about twice the side: without a division.
+    fn wrap(&self, at: usize, back: usize) -> usize {
+        let mut bucket = at + 2 * self.side - back;
+        while bucket >= self.side {
+            bucket -= self.side;
+        }
+        bucket
+    }
+
     /// Whether some point is nearer to `place` than `radius`.
     pub fn any_within(&self, place: Place, radius: f64) -> bool {
         let reach = ((radius * self.side as f64).ceil() as usize).min(self.side / 2);
@@ -101,9 +110,9 @@ impl Buckets {
         for down in 0..=span {
             // Only the first and last row of the ring are whole.
             let step = if down == 0 || down == span { 1 } else { span };
-            let y = (row + self.side * 2 + down - ring) % self.side;
+            let y = self.wrap(row + down, ring);
             for right in (0..=span).step_by(step.max(1)) {
-                let x = (column + self.side * 2 + right - ring) % self.side;
+                let x = self.wrap(column + right, ring);
                 let mut at = self.heads[y * self.side + x];
                 while at != NONE {
                     best = best.min(squared_distance(place, self.places[at as usize]));
@@ -121,7 +130,7 @@ pub fn uniform(random: &mut Random) -> Place {
 }
 
 /// Runs of an algorithm, whose count varies, until one gives `n` points.
-const RUNS: u64 = 40;
+const RUNS: u64 = 8;
 
 /// Exactly `n` points by `run(radius, random)`, whose count falls as the radius grows: the radius is corrected from run to run. Where no run hits `n`, the one that came nearest from
 /// above loses what is too much, at random places of its order, which keeps all distances.
@@ -143,8 +152,8 @@ pub fn exactly(n: usize, seed: Seed, share: f64, run: impl Fn(f64, &mut Random) 
             best.truncate(n);
             return best;
         }
-        // Once near, part of the correction: the count is noisy. Late runs lean to smaller radii, so that one gives n or more.
-        let weight = if k < 4 { 1.0 } else { 0.3 };
+        // Once near, part of the correction: the count is noisy.
+        let weight = if k < 3 { 1.0 } else { 0.3 };
         radius *= 1.0 + weight * (correction - 1.0);
         if k >= RUNS {
             radius *= 0.99;

@@ -147,6 +147,34 @@ pub fn sobol_bits(index: u64, axis: usize) -> u64 {
     bits
 }
 
+/// For each axis and each group of four index bits, the XOR of the columns at the set bits: 32 digits, the first highest.
+static NIBBLES: [[[u32; 16]; 8]; MOST_DIMENSIONS] = nibbles();
+
+#[expect(clippy::large_stack_arrays, reason = "it lives in the compiler only")]
+const fn nibbles() -> [[[u32; 16]; 8]; MOST_DIMENSIONS] {
+    let mut table = [[[0; 16]; 8]; MOST_DIMENSIONS];
+    let mut at = 0;
+    while at < MOST_DIMENSIONS * 8 * 16 {
+        let (axis, group, set) = (at / 128, at / 16 % 8, at % 16);
+        let mut bit = 0;
+        while bit < 4 {
+            if set >> bit & 1 == 1 {
+                table[axis][group][set] ^= (MATRICES[axis].0[4 * group + bit] >> 21) as u32;
+            }
+            bit += 1;
+        }
+        at += 1;
+    }
+    table
+}
+
+/// The first 32 digits of a coordinate, by eight looks into a table: fast whatever the index.
+#[inline]
+pub fn first_digits(index: u32, axis: usize) -> u32 {
+    let table = &NIBBLES[axis];
+    (0..8).fold(0, |digits, group| digits ^ table[group][(index >> (4 * group) & 15) as usize])
+}
+
 /// The columns of the generator matrix of the axis `axis < 256`, the first digit in bit 52.
 pub fn columns(axis: usize) -> &'static [u64; DIGITS] {
     &MATRICES[axis].0

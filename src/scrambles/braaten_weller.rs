@@ -70,14 +70,11 @@ impl Scramble for BraatenWeller {
     }
 
     fn action(&self, radix: Radix, _axis: usize, _seed: Seed) -> Action {
-        let places = Places::new(radix);
         if radix.base > LARGEST {
             return Action::Digits(Box::new(move |numerator| radix.coordinate(numerator)));
         }
-        let images = permutation(radix.base);
-        Action::Digits(Box::new(move |numerator| {
-            radix.coordinate(places.map(numerator, |_, digit| u64::from(images[digit as usize])))
-        }))
+        let images = permutation(radix.base).into_iter().map(u64::from).collect();
+        Action::Positions { places: Places::new(radix), images: vec![images], tail: 0.0 }
     }
 }
 

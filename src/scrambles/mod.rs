@@ -2,8 +2,10 @@
 
 use crate::catalogue::Entry;
 use crate::points::Points;
-use crate::samplers::{Guarantee, Radix, Refused, Sampler, allocate, points as checked};
+use crate::samplers::batch::{self, Finish};
+use crate::samplers::{Digits, Guarantee, Radix, Refused, Sampler, allocate, points as checked};
 use crate::seed::Seed;
+use walk::Places;
 
 pub mod braaten_weller;
 pub mod cranley_patterson;
@@ -47,6 +49,11 @@ pub trait Scramble: Entry + Sync {
         None
     }
 
+    /// What it does to 32 binary digits, where that is all it does, for the fast path.
+    fn finish(&self, _axis: usize, _seed: Seed) -> Option<Finish> {
+        None
+    }
+
     /// Its action on the axis `axis`, whose base is `radix`; `seed` is the scramble's, the same for all axes.
     fn action(&self, radix: Radix, axis: usize, seed: Seed) -> Action;
 }
@@ -55,8 +62,31 @@ pub trait Scramble: Entry + Sync {
 pub enum Action {
     /// It maps the digits.
     Digits(Box<dyn DigitMap>),
+    /// It maps each digit on its own, by position: `images[position][digit]`, or `images[0]` for all positions; then adds `tail` of a last digit.
+    Positions {
+        /// The places of the digits.
+        places: Places,
+        /// The tables of images.
+        images: Vec<Vec<u64>>,
+        /// The fraction of a last digit that is added, in [0, 1).
+        tail: f64,
+    },
     /// It maps the coordinate, in [0, 1) before and after.
     Coordinate(Box<dyn Fn(f64) -> f64 + Send + Sync>),
+}
+
+impl Action {
+    /// The image of `numerator`, in [0, 1).
+    fn coordinate(&self, numerator: u64, radix: Radix) -> f64 {
+        match self {
+            Self::Digits(map) => map.coordinate(numerator),
+            Self::Coordinate(map) => map(radix.coordinate(numerator)),
+            Self::Positions { places, images, tail } => {
+                let mapped = places.map(numerator, |position, digit| images[position % images.len()][digit as usize]);
+                radix.coordinate_with(mapped, *tail)
+            }
+        }
+    }
 }
 
 /// A map from numerators to scrambled coordinates.
@@ -96,11 +126,22 @@ pub(crate) fn points(
         return shifted(&points, scramble, own);
     };
     let mut coordinates = allocate(n, d)?;
+    let finishes: Option<Vec<Finish>> = (0..d).map(|axis| scramble.finish(axis, own)).collect();
+    if sampler.digits() == Digits::Binary
+        && finishes.is_some_and(|finishes| batch::binary(digital.as_ref(), &finishes, &mut coordinates))
+    {
+        return checked(d, coordinates);
+    }
     let order = scramble.order(own);
     let mut numerators = [0; BLOCK];
     for axis in 0..d {
         let radix = digital.radix(axis);
         let action = scramble.action(radix, axis, own);
+        if let (Action::Positions { images, tail, .. }, true) = (&action, digital.is_radical(axis)) {
+            let image = |position: usize, digit: u64| images[position % images.len()][digit as usize];
+            batch::radical(radix, image, *tail, &mut coordinates[axis..], d);
+            continue;
+        }
         for (k, rows) in coordinates.chunks_mut(BLOCK * d).enumerate() {
             let numerators = &mut numerators[..rows.len() / d];
             let first = (k * BLOCK) as u64;
@@ -132,18 +173,14 @@ pub(crate) fn sample(
     if let Some(digital) = sampler.digital(n, d) {
         let actions: Vec<Action> = (0..d).map(|axis| scramble.action(digital.radix(axis), axis, own)).collect();
         return Some(Box::new(move |i, axis| {
-            let numerator = digital.numerator(index(i), axis);
-            match &actions[axis] {
-                Action::Digits(map) => map.coordinate(numerator),
-                Action::Coordinate(map) => map(digital.radix(axis).coordinate(numerator)),
-            }
+            actions[axis].coordinate(digital.numerator(index(i), axis), digital.radix(axis))
         }));
     }
     let plain = sampler.at(n, d, seed.named(sampler.about().key))?;
     let actions: Vec<Action> = (0..d).map(|axis| scramble.action(Radix::new(2), axis, own)).collect();
     Some(Box::new(move |i, axis| match &actions[axis] {
         Action::Coordinate(map) => map(plain(index(i), axis)),
-        Action::Digits(_) => f64::NAN,
+        Action::Digits(_) | Action::Positions { .. } => f64::NAN,
     }))
 }
 
@@ -151,9 +188,9 @@ pub(crate) fn sample(
 fn apply(action: &Action, radix: Radix, numerators: &[u64], out: &mut [f64], stride: usize) {
     match action {
         Action::Digits(map) => map.coordinates(numerators, out, stride),
-        Action::Coordinate(map) => {
+        action => {
             for (x, &numerator) in out.iter_mut().step_by(stride).zip(numerators) {
-                *x = map(radix.coordinate(numerator));
+                *x = action.coordinate(numerator, radix);
             }
         }
     }

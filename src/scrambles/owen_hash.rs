@@ -24,6 +24,7 @@
 
 use super::{Action, Scramble};
 use crate::catalogue::{About, Entry, Paper};
+use crate::samplers::batch::Finish;
 use crate::samplers::{Digits, Guarantee, Radix, Sampler};
 use crate::seed::Seed;
 
@@ -76,13 +77,22 @@ impl Scramble for OwenHash {
         !matches!(guarantee, Guarantee::Deterministic)
     }
 
+    fn finish(&self, axis: usize, seed: Seed) -> Option<Finish> {
+        Some(Finish::Hash(key(axis, seed)))
+    }
+
     fn action(&self, _radix: Radix, axis: usize, seed: Seed) -> Action {
-        let key = (seed.at(axis as u64).word() >> 32) as u32;
+        let key = key(axis, seed);
         Action::Digits(Box::new(move |numerator: u64| {
             // The 32 first of 53 digits.
             f64::from(scramble((numerator >> 21) as u32, key)) * GRAIN
         }))
     }
+}
+
+/// The key of one axis: hashed, since raw consecutive keys correlate the axes.
+fn key(axis: usize, seed: Seed) -> u32 {
+    (seed.at(axis as u64).word() >> 32) as u32
 }
 
 /// The nested scrambling of 32 binary digits, the first in the highest bit.

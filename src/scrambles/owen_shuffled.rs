@@ -23,8 +23,9 @@
 use super::owen_hash::{GRAIN, scramble};
 use super::{Action, Scramble};
 use crate::catalogue::{About, Entry, Paper};
+use crate::samplers::sobol::first_digits;
 use crate::samplers::{Digits, Guarantee, Radix, Sampler};
-use crate::seed::Seed;
+use crate::seed::{Seed, mix};
 
 /// The scramble `owen-shuffled`.
 pub struct OwenShuffled;
@@ -81,4 +82,17 @@ impl Scramble for OwenShuffled {
         let key = (seed.at(axis as u64).word() >> 32) as u32;
         Action::Digits(Box::new(move |numerator: u64| f64::from(scramble((numerator >> 21) as u32, key)) * GRAIN))
     }
+}
+
+/// Random access without preparation: coordinate `axis < 256` of point `index` of the sequence numbered `seed`, in [0, 1).
+#[inline]
+pub fn sample(index: u32, axis: usize, seed: u32) -> f64 {
+    let shuffled = scramble(index, mix_in(seed, 0));
+    f64::from(scramble(first_digits(shuffled, axis), mix_in(seed, axis as u32 + 1))) * GRAIN
+}
+
+/// A key for `stream` of `seed`.
+#[inline]
+fn mix_in(seed: u32, stream: u32) -> u32 {
+    (mix(u64::from(seed) << 32 | u64::from(stream)) >> 32) as u32
 }

@@ -22,14 +22,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::walk::{Places, image, unit};
+use super::walk::{Places, images, unit};
 use super::{Action, Scramble};
 use crate::catalogue::{About, Entry, Paper};
 use crate::samplers::{Digits, Guarantee, Radix, Sampler};
 use crate::seed::Seed;
-
-/// Bases up to this size have their permutations written out; a table takes as many steps as the square of the base.
-const LARGEST_TABLE: u64 = 32;
 
 /// The scramble `permutation`.
 pub struct Permutation;
@@ -79,14 +76,7 @@ impl Scramble for Permutation {
         let keys: Vec<u64> = (0..u64::from(radix.digits)).map(|position| seed.at(position).word()).collect();
         // All zeros from here on have random images, which together are one uniform number, the same for all points.
         let tail = if radix.base == 2 { 0.0 } else { unit(seed.named("tail").word()) };
-        let base = u64::from(radix.base);
-        if base > LARGEST_TABLE {
-            let map = move |numerator| places.map(numerator, |position, digit| image(digit, base, keys[position]));
-            return Action::Digits(Box::new(move |numerator| radix.coordinate_with(map(numerator), tail)));
-        }
-        let tables: Vec<Vec<u64>> =
-            keys.iter().map(|&key| (0..base).map(|digit| image(digit, base, key)).collect()).collect();
-        let map = move |numerator| places.map(numerator, |position, digit| tables[position][digit as usize]);
-        Action::Digits(Box::new(move |numerator| radix.coordinate_with(map(numerator), tail)))
+        let images = keys.iter().map(|&key| images(u64::from(radix.base), key)).collect();
+        Action::Positions { places, images, tail }
     }
 }

@@ -53,8 +53,7 @@ pub fn image(digit: u64, base: u64, key: u64) -> u64 {
     // Durstenfeld's shuffle, followed for one item: the swaps are replayed backwards on its position alone.
     let mut place = digit;
     for i in (1..base).rev() {
-        let word = mix(key.wrapping_add(i.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
-        let other = ((u128::from(word) * u128::from(i + 1)) >> 64) as u64;
+        let other = partner(i, key);
         if place == i {
             place = other;
         } else if place == other {
@@ -62,6 +61,28 @@ pub fn image(digit: u64, base: u64, key: u64) -> u64 {
         }
     }
     place
+}
+
+/// The item with which the shuffle that `key` numbers swaps item `i`.
+fn partner(i: u64, key: u64) -> u64 {
+    let word = mix(key.wrapping_add(i.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
+    ((u128::from(word) * u128::from(i + 1)) >> 64) as u64
+}
+
+/// The images of all digits of a base, as [`image`] gives them one by one.
+pub fn images(base: u64, key: u64) -> Vec<u64> {
+    if base == 2 || base > SHUFFLED {
+        return (0..base).map(|digit| image(digit, base, key)).collect();
+    }
+    let mut items: Vec<u64> = (0..base).collect();
+    for i in (1..base).rev() {
+        items.swap(i as usize, partner(i, key) as usize);
+    }
+    let mut images = vec![0; items.len()];
+    for (place, item) in (0..).zip(items) {
+        images[item as usize] = place;
+    }
+    images
 }
 
 /// The image of `index < count` under a permutation of `0..count` computed from `key` alone: a bijection of the next power of two, applied until it lands
@@ -102,6 +123,14 @@ mod tests {
                     assert!(seen.iter().all(|&seen| seen), "base {base}, key {key}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn all_images_at_once_are_those_one_by_one() {
+        for base in [2, 3, 7, 131, 3000] {
+            let one_by_one: Vec<u64> = (0..base).map(|digit| image(digit, base, 9)).collect();
+            assert_eq!(images(base, 9), one_by_one);
         }
     }
 

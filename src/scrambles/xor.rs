@@ -25,8 +25,9 @@
 
 use super::{Action, Scramble};
 use crate::catalogue::{About, Entry, Paper};
+use crate::samplers::batch::Finish;
 use crate::samplers::{Digits, Guarantee, Radix, Sampler};
-use crate::seed::Seed;
+use crate::seed::{Random, Seed};
 
 /// The scramble `xor`.
 pub struct Xor;
@@ -70,13 +71,22 @@ impl Scramble for Xor {
         !matches!(guarantee, Guarantee::Deterministic)
     }
 
+    fn finish(&self, axis: usize, seed: Seed) -> Option<Finish> {
+        Some(Finish::Mask(mask(const { Radix::new(2) }, &mut seed.at(axis as u64).generator())))
+    }
+
     fn action(&self, radix: Radix, axis: usize, seed: Seed) -> Action {
         let mut random = seed.at(axis as u64).generator();
-        let mask = random.below(radix.scale);
+        let mask = mask(radix, &mut random);
         // The shift goes on below the last digit: there all digits of the point are 0, and the shifted ones those of one uniform number.
         let tail = if radix.base == 2 { 0.0 } else { random.uniform() };
         Action::Digits(Box::new(move |numerator: u64| radix.coordinate_with(shift(numerator, mask, radix), tail)))
     }
+}
+
+/// One random digit for each position.
+fn mask(radix: Radix, random: &mut Random) -> u64 {
+    random.below(radix.scale)
 }
 
 /// The sum without carry of the digits of `numerator` and `mask`, both below `radix.scale`.

@@ -265,10 +265,10 @@ fn catalogues_are_complete() {
     let integrands: Vec<&About> = workbook::integrands::INTEGRANDS.iter().map(|entry| entry.about()).collect();
     let metrics: Vec<&About> = workbook::metrics::abouts().collect();
     let helpers = [
-        ("samplers", vec!["mod", "digits", "enumeration", "method", "poisson", "refused"], samplers),
+        ("samplers", vec!["mod", "batch", "digits", "enumeration", "method", "poisson", "refused"], samplers),
         ("scrambles", vec!["mod", "walk"], scrambles),
         ("integrands", vec!["mod", "function", "genz"], integrands),
-        ("metrics", vec!["mod", "occupancy", "spectrum", "star_bound"], metrics),
+        ("metrics", vec!["mod", "occupancy", "spectrum", "star_bound", "star_space"], metrics),
     ];
     for (folder, others, abouts) in helpers {
         let mut files: Vec<String> = others.iter().map(|name| format!("{folder}/{name}.rs")).collect();
