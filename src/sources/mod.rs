@@ -57,7 +57,10 @@ pub fn sources() -> &'static Sources<'static> {
 pub struct Sources<'a> {
     /// Of each file, the part that computes.
     files: BTreeMap<&'a str, String>,
+    /// The entries of the catalogues, and the modules beside them that count only where they are used.
     entries: BTreeSet<Entry<'a>>,
+    /// The entries of the catalogues.
+    listed: BTreeSet<Entry<'a>>,
     units: BTreeMap<Entry<'a>, Unit<'a>>,
     engine: Digest,
     dependencies: Digest,
@@ -77,10 +80,12 @@ impl<'a> Sources<'a> {
     /// The sources `files`, each with its path from `src`, and the text of a `Cargo.lock`.
     pub fn new(files: impl IntoIterator<Item = (&'a str, &'a [u8])>, locked: &str) -> Self {
         let files: BTreeMap<_, _> = files.into_iter().collect();
-        let entries = entries(&files);
+        let listed = entries(&files);
         let files = files.into_iter().map(|(file, bytes)| (file, computing(file, bytes))).collect();
         let dependencies = dependencies(locked);
-        let mut sources = Self { files, entries, units: BTreeMap::new(), engine: dependencies, dependencies };
+        let entries = listed.clone();
+        let mut sources = Self { files, entries, listed, units: BTreeMap::new(), engine: dependencies, dependencies };
+        sources.entries.extend(sources.linking());
         sources.units = sources.entries.iter().filter_map(|&entry| Some((entry, sources.unit(entry)?))).collect();
         sources.engine = sources.digest_engine();
         sources
@@ -88,7 +93,7 @@ impl<'a> Sources<'a> {
 
     /// The files of the catalogues' entries, in order.
     pub fn entries(&self) -> impl Iterator<Item = &'a str> + '_ {
-        self.units.values().map(|unit| unit.file)
+        self.units.iter().filter(|(entry, _)| self.listed.contains(*entry)).map(|(_, unit)| unit.file)
     }
 
     /// The digest of all code that computes and is not an entry's own.
@@ -116,6 +121,21 @@ impl<'a> Sources<'a> {
         let units = self.closure(due).into_iter().filter_map(|entry| self.units.get(&entry));
         digests.extend(units.map(|unit| (unit.file.to_owned(), unit.digest)));
         digests
+    }
+
+    /// The modules that a catalogue's folder declares, that are no entries, and that use some.
+    ///
+    /// As part of the engine they would make those entries count for every experiment; so they count where they are used, as entries do.
+    fn linking(&self) -> BTreeSet<Entry<'a>> {
+        let modules = self.files.keys().filter_map(|&file| {
+            let (folder, rest) = file.split_once('/')?;
+            let entry = (folder, rest.strip_suffix(".rs")?);
+            let list = self.files.get_key_value(format!("{folder}/mod.rs").as_str())?.1;
+            let declared = || lex::tokens(list).windows(3).any(|words| declares(words, entry.1));
+            let links = !self.uses(file).is_empty() && self.listed.iter().any(|listed| listed.0 == folder);
+            (entry.1 != "mod" && !self.listed.contains(&entry) && links && declared()).then_some(entry)
+        });
+        modules.collect()
     }
 
     /// `due` and all entries that these use, directly or not.
@@ -194,6 +214,11 @@ impl<'a> Sources<'a> {
         let all: BTreeSet<&'a str> = entries.chain(files.iter().copied()).collect();
         self.digest(all.into_iter())
     }
+}
+
+/// Whether `words` are `mod name;`.
+fn declares(words: &[Token<'_>], name: &str) -> bool {
+    matches!(words, [keyword, module, end] if keyword.is("mod") && module.is(name) && end.is(";"))
 }
 
 /// Whether no number comes from `file`: it draws, parses or renders.

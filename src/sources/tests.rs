@@ -89,6 +89,30 @@ fn an_entry_that_the_engine_uses_is_part_of_it() {
 }
 
 #[test]
+fn a_module_that_uses_entries_counts_where_it_is_used() {
+    let mut table = table();
+    table.insert("samplers/link.rs".into(), "use super::halton; pub fn link() {}".into());
+    edit("samplers/mod.rs", "pub mod method;", "pub mod method;\npub mod link;")(&mut table);
+    let differ =
+        |change: &dyn Fn(&mut BTreeMap<String, String>), table: &BTreeMap<String, String>| -> Vec<&'static str> {
+            let (before, mut after) = (seen(table), table.clone());
+            change(&mut after);
+            let after = seen(&after);
+            before.into_iter().filter(|(part, digest)| after.get(part) != Some(digest)).map(|(part, _)| part).collect()
+        };
+    let halton = |table: &mut BTreeMap<String, String>| edit("samplers/halton.rs", "{}", "{ 1 }")(table);
+    let link = |table: &mut BTreeMap<String, String>| edit("samplers/link.rs", "{}", "{ 1 }")(table);
+    assert_eq!(differ(&halton, &table), ["kinds/table.rs", "samplers/halton.rs"]);
+    assert_eq!(differ(&link, &table), Vec::<&str>::new(), "nothing uses it");
+    edit("kinds/points.rs", "fn run() {}", "fn run() { crate::samplers::link::link() }")(&mut table);
+    assert_eq!(differ(&link, &table), ["kinds/points.rs"]);
+    assert_eq!(differ(&halton, &table), ["kinds/points.rs", "kinds/table.rs", "samplers/halton.rs"]);
+    edit("stats/moments.rs", "{}", "{ crate::samplers::link::link() }")(&mut table);
+    assert!(differ(&link, &table).contains(&"engine"));
+    assert!(differ(&halton, &table).contains(&"engine"));
+}
+
+#[test]
 fn drawing_and_tests_change_nothing() {
     assert!(changed(edit("kinds/points.rs", "fn draw() { '}'; }", "fn draw() { 2 }")).is_empty());
     assert!(changed(edit("kinds/points.rs", "fn t() {}", "fn t() { 1 }")).is_empty());
