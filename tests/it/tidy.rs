@@ -35,6 +35,7 @@ const LAYERS: &[&[&str]] = &[
 
 /// Files in the folders of catalogues that are no entries: what entries share.
 const SHARED: &[&str] = &[
+    "samplers/batch.rs",
     "samplers/data",
     "samplers/digits.rs",
     "samplers/enumeration.rs",
@@ -48,6 +49,7 @@ const SHARED: &[&str] = &[
     "metrics/occupancy.rs",
     "metrics/spectrum.rs",
     "metrics/star_bound.rs",
+    "metrics/star_space.rs",
     "kinds/estimation",
     "kinds/experiment",
 ];
