@@ -35,6 +35,7 @@ const LAYERS: &[&[&str]] = &[
 
 /// Files in the folders of catalogues that are no entries: what entries share.
 const SHARED: &[&str] = &[
+    "samplers/batch.rs",
     "samplers/data",
     "samplers/digits.rs",
     "samplers/enumeration.rs",
