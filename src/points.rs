@@ -44,7 +44,8 @@ impl Points {
     }
 }
 
-/// The slab `0..n` of equal width 1/n that holds `x` in [0, 1), by comparison with the borders k/n as they are in `f64`.
+/// The slab `0..n` of equal width 1/n that holds `x` in [0, 1), by comparison with the borders k/n
+/// as they are in `f64`.
 ///
 /// The product `x * n` alone may round up onto the next border.
 #[inline]

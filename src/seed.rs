@@ -1,9 +1,11 @@
 //! Seeds and streams: where every random number of the course comes from.
 //!
-//! A [`Seed`] is never used as it is. Each use derives its own stream by hashing, `seed.named("halton").at(3)`, so that a new figure
-//! shifts no other figure's numbers, and consecutive seeds, which bias hash-based scrambling, are harmless. The generator is
-//! xoshiro256++ (Blackman and Vigna 2021, doi 10.1145/3460772), a named algorithm whose output never changes; floats, ranges and shuffles are
-//! built on its 64-bit words here, because the conveniences of a random-number crate may change values between releases.
+//! A [`Seed`] is never used as it is. Each use derives its own stream by hashing,
+//! `seed.named("halton").at(3)`, so that a new figure shifts no other figure's numbers, and
+//! consecutive seeds, which bias hash-based scrambling, are harmless. The generator is xoshiro256++
+//! (Blackman and Vigna 2021, doi 10.1145/3460772), a named algorithm whose output never changes;
+//! floats, ranges and shuffles are built on its 64-bit words here, because the conveniences of a
+//! random-number crate may change values between releases.
 //!
 //! ```
 //! use workbook::seed::Seed;
@@ -15,7 +17,8 @@ use rand::SeedableRng;
 use rand::rand_core::Rng;
 use rand::rngs::Xoshiro256PlusPlus;
 
-/// The state from which streams are derived: a hash of the number given and of every name and index on the way.
+/// The state from which streams are derived: a hash of the number given and of every name and index
+/// on the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seed(u64);
 
@@ -25,8 +28,8 @@ const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 /// Keeps the streams of names apart from those of indices.
 const NAMES: u64 = 0xd1b5_4a32_d192_ed03;
 
-/// A bijection of 64-bit words that avalanches: the finaliser of `SplitMix64` in the variant "Mix13" of D. Stafford
-/// (Steele, Lea and Flood 2014, doi 10.1145/2660193.2660195).
+/// A bijection of 64-bit words that avalanches: the finaliser of `SplitMix64` in the variant
+/// "Mix13" of D. Stafford (Steele, Lea and Flood 2014, doi 10.1145/2660193.2660195).
 #[inline]
 pub const fn mix(word: u64) -> u64 {
     let word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -95,7 +98,8 @@ impl Random {
     pub fn below(&mut self, n: u64) -> u64 {
         let mut product = u128::from(self.next_u64()) * u128::from(n);
         if (product as u64) < n {
-            // 2^64 is no multiple of n: the first 2^64 mod n low words are one too many, and are drawn again.
+            // 2^64 is no multiple of n: the first 2^64 mod n low words are one too many, and are
+            // drawn again.
             let surplus = n.wrapping_neg() % n.max(1);
             while (product as u64) < surplus {
                 product = u128::from(self.next_u64()) * u128::from(n);
@@ -104,7 +108,8 @@ impl Random {
         (product >> 64) as u64
     }
 
-    /// Shuffles `items` in place, every order equally likely (Fisher and Yates 1938, Durstenfeld's form).
+    /// Shuffles `items` in place, every order equally likely (Fisher and Yates 1938, Durstenfeld's
+    /// form).
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for i in (1..items.len()).rev() {
             // `i` itself is among the choices: leaving it out would give cyclic permutations only.

@@ -1,6 +1,7 @@
 //! The sum of the coordinates, in any number of dimensions.
 //!
-//! **What.** A sum of functions of one variable each: the case that Latin hypercubes are made for. For n of them the variance of the mean is d/(12 n^3), for independent points d/(12 n).
+//! **What.** A sum of functions of one variable each: the case that Latin hypercubes are made for.
+//! For n of them the variance of the mean is d/(12 n^3), for independent points d/(12 n).
 //!
 //! **Integral and variance.** d/2 and d/12. **Variation.** d: one from each edge at 1.
 

@@ -1,9 +1,11 @@
 //! The smooth function exp(sin(3x^2)) of one variable.
 //!
-//! **What.** It rises from 1 to e at x = sqrt(pi/6) and falls to f(1) = exp(sin 3) = 1.1516: smooth, bounded by e, with no integral in closed form.
+//! **What.** It rises from 1 to e at x = sqrt(pi/6) and falls to f(1) = exp(sin 3) = 1.1516:
+//! smooth, bounded by e, with no integral in closed form.
 //!
-//! **Integral and variance.** 1.7760990452428437438 and 0.36025749874406696521, by quadrature to 20 digits in arithmetic of 40 digits. Total variation
-//! 2e - 1 - f(1) = 3.2850008204035555, since it is monotone on both sides of its maximum.
+//! **Integral and variance.** 1.7760990452428437438 and 0.36025749874406696521, by quadrature to 20
+//! digits in arithmetic of 40 digits. Total variation 2e - 1 - f(1) = 3.2850008204035555, since it
+//! is monotone on both sides of its maximum.
 
 use super::Integrand;
 use crate::catalogue::{About, Entry, Paper};

@@ -2,8 +2,8 @@
 //!
 //! **What.** 1 inside, 0 outside: a curved edge, which no elementary interval follows.
 //!
-//! **Integral and variance.** The radius sqrt(2/pi) = 0.798 is below 1, so that the area is (pi/4)(2/pi) = 1/2; the variance of a function of two equally likely values 0 and 1
-//! is 1/4.
+//! **Integral and variance.** The radius sqrt(2/pi) = 0.798 is below 1, so that the area is
+//! (pi/4)(2/pi) = 1/2; the variance of a function of two equally likely values 0 and 1 is 1/4.
 
 use super::Integrand;
 use crate::catalogue::{About, Entry, Paper};

@@ -1,6 +1,7 @@
 //! The triangle y > x.
 //!
-//! **What.** 1 above the diagonal, 0 below: an edge along no axis, of infinite Hardy-Krause variation, and the worst case for a rigid digital shift.
+//! **What.** 1 above the diagonal, 0 below: an edge along no axis, of infinite Hardy-Krause
+//! variation, and the worst case for a rigid digital shift.
 //!
 //! **Integral and variance.** 1/2 and 1/4, by symmetry.
 

@@ -67,7 +67,8 @@ impl Function {
         }
     }
 
-    /// Its value at `x`, of as many coordinates as it has dimensions; an expression takes a missing coordinate as NaN.
+    /// Its value at `x`, of as many coordinates as it has dimensions; an expression takes a missing
+    /// coordinate as NaN.
     pub fn evaluate(&self, x: &[f64]) -> f64 {
         match &self.form {
             Form::Catalogued(integrand) => integrand.evaluate(x),
@@ -75,8 +76,8 @@ impl Function {
         }
     }
 
-    /// Its integral over the cube of `d` dimensions: exact where catalogued, by quadrature for a smooth expression of up to three variables; `None`
-    /// where neither serves.
+    /// Its integral over the cube of `d` dimensions: exact where catalogued, by quadrature for a
+    /// smooth expression of up to three variables; `None` where neither serves.
     pub fn integral(&self, d: usize) -> Option<Reference> {
         match &self.form {
             Form::Catalogued(integrand) => integrand.integral(d).map(|value| Reference { value, error: 0.0 }),
@@ -109,7 +110,8 @@ impl Function {
 }
 
 impl Expression {
-    /// The integral of `map` of the expression over the cube of `d` dimensions; the variables that it does not name do not matter.
+    /// The integral of `map` of the expression over the cube of `d` dimensions; the variables that
+    /// it does not name do not matter.
     fn integrate(&self, d: usize, map: impl Fn(f64) -> f64) -> Option<Integral> {
         let needed = self.dimensions();
         if d < needed {

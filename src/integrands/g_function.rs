@@ -2,7 +2,8 @@
 //!
 //! **Formula.** prod (|4 x_j - 2| + a_j)/(1 + a_j), in any d, with a_1 = 0, a_2 = 1, a_3 = 2, ...
 //!
-//! **Integral and variance.** |4x - 2| has the mean 1 and the variance 1/3: the mean is 1, the variance prod (1 + 1/(3 (1 + a_j)^2)) - 1.
+//! **Integral and variance.** |4x - 2| has the mean 1 and the variance 1/3: the mean is 1, the
+//! variance prod (1 + 1/(3 (1 + a_j)^2)) - 1.
 
 use super::Integrand;
 use crate::catalogue::{About, Entry, Paper};

@@ -2,7 +2,8 @@
 //!
 //! **What.** Smooth in both variables and a product of functions of one.
 //!
-//! **Integral and variance.** With g(a) the integral of exp(-a x^2) over [0, 1], which is sqrt(pi/a) erf(sqrt(a)) / 2: g(1)^2 = 0.557746, and g(2)^2 - g(1)^4.
+//! **Integral and variance.** With g(a) the integral of exp(-a x^2) over [0, 1], which is
+//! sqrt(pi/a) erf(sqrt(a)) / 2: g(1)^2 = 0.557746, and g(2)^2 - g(1)^4.
 
 use super::Integrand;
 use crate::catalogue::{About, Entry, Paper};

@@ -1,6 +1,8 @@
-//! The parameters of Genz's families: how hard an integrand is on each axis, and where its feature lies.
+//! The parameters of Genz's families: how hard an integrand is on each axis, and where its feature
+//! lies.
 //!
-//! The course fixes them, so that a name means one function: difficulty 3/2, 2, 5/2 and shift 3/10, 5/10, 7/10, repeated along the axes.
+//! The course fixes them, so that a name means one function: difficulty 3/2, 2, 5/2 and shift 3/10,
+//! 5/10, 7/10, repeated along the axes.
 
 /// The difficulty a_j of axis j.
 pub fn difficulty(axis: usize) -> f64 {

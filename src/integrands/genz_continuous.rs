@@ -2,7 +2,8 @@
 //!
 //! **Formula.** exp(-sum a_j |x_j - u_j|), in any d; a and u as in [`genz`](super::genz).
 //!
-//! **Integral and variance.** The mean is prod (2 - exp(-a_j u_j) - exp(-a_j (1 - u_j)))/a_j; the second moment is the same with 2 a_j.
+//! **Integral and variance.** The mean is prod (2 - exp(-a_j u_j) - exp(-a_j (1 - u_j)))/a_j; the
+//! second moment is the same with 2 a_j.
 
 use super::Integrand;
 use super::genz::{product, sum};

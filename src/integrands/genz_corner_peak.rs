@@ -2,8 +2,10 @@
 //!
 //! **Formula.** (1 + sum a_j x_j)^-(d+1), in any d; a as in [`genz`](super::genz).
 //!
-//! **Integral and variance.** Integrating (1 + s)^-p along each axis once gives the alternating sum over the corners of the cube of (1 + a.corner)^-(p-d), over (p - 1) ... (p - d) prod a_j; with p = d + 1 the
-//! mean, with 2 d + 2 the second moment. Stated for d <= 12, beyond which the 2^d terms cancel too many digits.
+//! **Integral and variance.** Integrating (1 + s)^-p along each axis once gives the alternating sum
+//! over the corners of the cube of (1 + a.corner)^-(p-d), over (p - 1) ... (p - d) prod a_j; with
+//! p = d + 1 the mean, with 2 d + 2 the second moment. Stated for d <= 12, beyond which the 2^d
+//! terms cancel too many digits.
 
 use super::Integrand;
 use super::genz::{difficulty, product, sum};

@@ -1,8 +1,10 @@
 //! Genz's discontinuous family.
 //!
-//! **Formula.** 0 where x_1 > u_1 or x_2 > u_2, else exp(sum a_j x_j), in any d; a and u as in [`genz`](super::genz).
+//! **Formula.** 0 where x_1 > u_1 or x_2 > u_2, else exp(sum a_j x_j), in any d; a and u as in
+//! [`genz`](super::genz).
 //!
-//! **Integral and variance.** The mean is the product of (exp(a_j u_j) - 1)/a_j over the first two axes and of (exp(a_j) - 1)/a_j over the others; the second moment is the same with 2 a_j.
+//! **Integral and variance.** The mean is the product of (exp(a_j u_j) - 1)/a_j over the first two
+//! axes and of (exp(a_j) - 1)/a_j over the others; the second moment is the same with 2 a_j.
 
 use super::Integrand;
 use super::genz::{difficulty, shift, sum};

@@ -2,7 +2,8 @@
 //!
 //! **Formula.** exp(-sum a_j^2 (x_j - u_j)^2), in any d; a and u as in [`genz`](super::genz).
 //!
-//! **Integral and variance.** The mean is prod sqrt(pi)/(2 a_j) (erf(a_j (1 - u_j)) + erf(a_j u_j)); the second moment is the same with sqrt(2) a_j.
+//! **Integral and variance.** The mean is prod sqrt(pi)/(2 a_j) (erf(a_j (1 - u_j)) + erf(a_j
+//! u_j)); the second moment is the same with sqrt(2) a_j.
 
 use super::Integrand;
 use super::genz::{product, sum};

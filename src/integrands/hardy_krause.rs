@@ -1,7 +1,8 @@
 //! A family of known variation: the product of 1 - x_j.
 //!
-//! **What.** On every face of the cube at 1 the function is 0, so that only its mixed derivative counts: the variation in the sense of Hardy and Krause is the integral of |(-1)^d| = 1, whatever d. The bound of
-//! Koksma and Hlawka is then the star discrepancy itself.
+//! **What.** On every face of the cube at 1 the function is 0, so that only its mixed derivative
+//! counts: the variation in the sense of Hardy and Krause is the integral of |(-1)^d| = 1, whatever
+//! d. The bound of Koksma and Hlawka is then the star discrepancy itself.
 //!
 //! **Integral and variance.** 2^-d, and 3^-d - 4^-d.
 

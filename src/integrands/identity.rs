@@ -1,7 +1,7 @@
 //! The coordinate itself, f(x) = x.
 //!
-//! **What.** The plainest function of one variable: for it every variance of an estimate can be written down. For n points, independent ones give 1/(12 n), one in
-//! each of n slabs 1/(12 n^3).
+//! **What.** The plainest function of one variable: for it every variance of an estimate can be
+//! written down. For n points, independent ones give 1/(12 n), one in each of n slabs 1/(12 n^3).
 //!
 //! **Integral and variance.** 1/2 and 1/12.
 

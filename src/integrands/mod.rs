@@ -1,4 +1,5 @@
-//! The integrands: functions on the unit cube whose mean is known, and expressions that chapters write.
+//! The integrands: functions on the unit cube whose mean is known, and expressions that chapters
+//! write.
 
 use crate::catalogue::Entry;
 
@@ -53,14 +54,15 @@ pub trait Integrand: Entry + Sync {
     /// Its value at `x`, of as many coordinates as it has dimensions.
     fn evaluate(&self, x: &[f64]) -> f64;
 
-    /// Its exact integral over the cube of `d` dimensions, to the last digit of a `f64`; `None` where it is not known.
+    /// Its exact integral over the cube of `d` dimensions, to the last digit of a `f64`; `None`
+    /// where it is not known.
     fn integral(&self, d: usize) -> Option<f64>;
 
     /// Its exact variance over the cube of `d` dimensions.
     fn variance(&self, d: usize) -> Option<f64>;
 
-    /// Its variation over the cube of `d` dimensions in the sense of Hardy and Krause, anchored at 1, where it is known: the factor of the
-    /// star discrepancy in the bound of Koksma and Hlawka.
+    /// Its variation over the cube of `d` dimensions in the sense of Hardy and Krause, anchored at
+    /// 1, where it is known: the factor of the star discrepancy in the bound of Koksma and Hlawka.
     fn variation(&self, _d: usize) -> Option<f64> {
         None
     }

@@ -1,6 +1,7 @@
 //! The product of two coordinates, f(x, y) = x y.
 //!
-//! **What.** Smooth, and the simplest function that is no sum of functions of one variable: Latin hypercubes take only a part of its variance away.
+//! **What.** Smooth, and the simplest function that is no sum of functions of one variable: Latin
+//! hypercubes take only a part of its variance away.
 //!
 //! **Variation.** 3: one from the mixed derivative, one from each of the two sides at 1.
 //!

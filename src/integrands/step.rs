@@ -1,6 +1,7 @@
 //! The step x < 1/pi, in any number of dimensions.
 //!
-//! **What.** 1 where the first coordinate is below 1/pi, 0 elsewhere, whatever the other coordinates: an edge along an axis at a place that is in no grid.
+//! **What.** 1 where the first coordinate is below 1/pi, 0 elsewhere, whatever the other
+//! coordinates: an edge along an axis at a place that is in no grid.
 //!
 //! **Integral and variance.** 1/pi and (1/pi)(1 - 1/pi).
 

@@ -1,9 +1,11 @@
 //! Correlations of projections: Pearson's r of two axes, and the largest over all pairs.
 //!
-//! Late axes of the plain Halton sequence are all but equal for many points: axes 32 and 33 have r = 1 for the first 131.
+//! Late axes of the plain Halton sequence are all but equal for many points: axes 32 and 33 have
+//! r = 1 for the first 131.
 //!
-//! **Paper.** E. Braaten and G. Weller, An Improved Low-Discrepancy Sequence for Multidimensional Quasi-Monte Carlo Integration, J. Comput. Phys. 33(2) (1979), doi
-//! 10.1016/0021-9991(79)90019-6, which points the fault out.
+//! **Paper.** E. Braaten and G. Weller, An Improved Low-Discrepancy Sequence for Multidimensional
+//! Quasi-Monte Carlo Integration, J. Comput. Phys. 33(2) (1979), doi 10.1016/0021-9991(79)90019-6,
+//! which points the fault out.
 //!
 //! ```
 //! use workbook::{metrics::correlation::pearson, points::Points};

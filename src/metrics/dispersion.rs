@@ -1,10 +1,12 @@
 //! Distances on the torus: the smallest, and the same relative to the best possible.
 //!
-//! **Formula.** The relative radius in the plane is d_min / sqrt(2 / (sqrt(3) n)), 1 for a hexagonal lattice; good blue noise has 0.65 to 0.8, independent points about 0.
+//! **Formula.** The relative radius in the plane is d_min / sqrt(2 / (sqrt(3) n)), 1 for a
+//! hexagonal lattice; good blue noise has 0.65 to 0.8, independent points about 0.
 //!
 //! **Cost.** n^2 d / 2 in general; in the plane linear in n, with buckets.
 //!
-//! **Paper.** A. Lagae and P. Dutre, A Comparison of Methods for Generating Poisson Disk Distributions, Comput. Graph. Forum 27(1) (2008), doi 10.1111/j.1467-8659.2007.01100.x.
+//! **Paper.** A. Lagae and P. Dutre, A Comparison of Methods for Generating Poisson Disk
+//! Distributions, Comput. Graph. Forum 27(1) (2008), doi 10.1111/j.1467-8659.2007.01100.x.
 //!
 //! ```
 //! use workbook::{metrics::dispersion::minimum_distance, points::Points};

@@ -1,18 +1,25 @@
 //! L2 discrepancies: root mean squares over boxes instead of the worst one, with closed forms.
 //!
-//! **Star** (Warnock): boxes at the origin. D^2 = 3^-d - (2/n) sum_i prod_j (1 - x_ij^2)/2 + (1/n^2) sum_ik prod_j (1 - max(x_ij, x_kj)).
+//! **Star** (Warnock): boxes at the origin. D^2 = 3^-d - (2/n) sum_i prod_j (1 - x_ij^2)/2 +
+//! (1/n^2) sum_ik prod_j (1 - max(x_ij, x_kj)).
 //!
-//! **Centred** (Hickernell): boxes at the nearest corner. D^2 = (13/12)^d - (2/n) sum_i prod_j (1 + |z|/2 - z^2/2) + (1/n^2) sum_ik prod_j (1 + |z_i|/2 + |z_k|/2 - |x_i - x_k|/2), z = x - 1/2.
+//! **Centred** (Hickernell): boxes at the nearest corner. D^2 = (13/12)^d - (2/n) sum_i prod_j
+//! (1 + |z|/2 - z^2/2) + (1/n^2) sum_ik prod_j (1 + |z_i|/2 + |z_k|/2 - |x_i - x_k|/2), z = x -
+//! 1/2.
 //!
-//! **Wrap-around** (Hickernell): boxes on the torus. D^2 = -(4/3)^d + (1/n^2) sum_ik prod_j (3/2 - |x_i - x_k| (1 - |x_i - x_k|)).
+//! **Wrap-around** (Hickernell): boxes on the torus. D^2 = -(4/3)^d + (1/n^2) sum_ik prod_j
+//! (3/2 - |x_i - x_k| (1 - |x_i - x_k|)).
 //!
-//! All values here are **not squared**. The expected square of the star form for independent points is (2^-d - 3^-d) / n.
+//! All values here are **not squared**. The expected square of the star form for independent points
+//! is (2^-d - 3^-d) / n.
 //!
 //! **Cost.** n^2 d / 2 multiplications; the star form in two dimensions n log n.
 //!
 //! **Limits.** The sums cancel: below about 1e-8 the value is rounding.
 //!
-//! **Papers.** T. T. Warnock (1972), doi 10.1016/B978-0-12-775950-0.50015-7; F. J. Hickernell, Math. Comp. 67 (1998), doi 10.1090/S0025-5718-98-00894-1; S. Heinrich, Math. Comp. 65 (1996), doi 10.1090/S0025-5718-96-00756-1.
+//! **Papers.** T. T. Warnock (1972), doi 10.1016/B978-0-12-775950-0.50015-7; F. J. Hickernell,
+//! Math. Comp. 67 (1998), doi 10.1090/S0025-5718-98-00894-1; S. Heinrich, Math. Comp. 65 (1996),
+//! doi 10.1090/S0025-5718-96-00756-1.
 //!
 //! ```
 //! use workbook::{metrics::l2::star, points::Points};
@@ -159,7 +166,8 @@ fn pairs<F: Fn(f64, f64) -> f64 + Copy>(points: &Points, factor: F) -> f64 {
     total.value()
 }
 
-/// The sum over the points after point i, in blocks that stay in registers; the same order of roundings on every processor.
+/// The sum over the points after point i, in blocks that stay in registers; the same order of
+/// roundings on every processor.
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
 fn pairs_after<F: Fn(f64, f64) -> f64 + Copy>(axes: &[Vec<f64>], i: usize, factor: F) -> f64 {
     let n = axes[0].len();
@@ -185,7 +193,8 @@ fn pairs_after<F: Fn(f64, f64) -> f64 + Copy>(axes: &[Vec<f64>], i: usize, facto
 /// Pairs side by side.
 const LANES: usize = 32;
 
-/// The double sum of the star form in the plane, in n log n: points by falling x, so that the maximum in x is known, and prefix sums over y in a tree.
+/// The double sum of the star form in the plane, in n log n: points by falling x, so that the
+/// maximum in x is known, and prefix sums over y in a tree.
 fn pairs_in_the_plane(points: &Points) -> f64 {
     let n = points.len();
     let mut order: Vec<&[f64]> = points.rows().collect();
@@ -198,7 +207,8 @@ fn pairs_in_the_plane(points: &Points) -> f64 {
     for x in order {
         let rank = ys.partition_point(|&y| y < x[1]);
         let (width, height) = (1.0 - x[0], 1.0 - x[1]);
-        // Points before have the larger x: theirs is the width. Where their y is lower, this point's height counts, else their own.
+        // Points before have the larger x: theirs is the width. Where their y is lower, this
+        // point's height counts, else their own.
         let lower = widths.prefix(rank);
         total.add(2.0 * (lower * height + areas.suffix(rank, all)) + width * height);
         widths.add(rank, width);

@@ -1,11 +1,13 @@
 //! Nets: the quality t of a set of b^m points, and how many elementary intervals it violates.
 //!
-//! **Formula.** An elementary interval in base b has on axis j a length b^-k_j and begins at a multiple of it. A set of b^m points is a (t, m, d)-net if every elementary interval of
-//! volume b^(t-m) holds b^t points; the quality is the smallest such t, and 0 is best.
+//! **Formula.** An elementary interval in base b has on axis j a length b^-k_j and begins at a
+//! multiple of it. A set of b^m points is a (t, m, d)-net if every elementary interval of volume
+//! b^(t-m) holds b^t points; the quality is the smallest such t, and 0 is best.
 //!
 //! **Cost.** n times the number of shapes, binom(m - t + d - 1, d - 1), for each t tried.
 //!
-//! **Paper.** H. Niederreiter, Point Sets and Sequences with Small Discrepancy, Monatsh. Math. 104 (1987), doi 10.1007/BF01294651.
+//! **Paper.** H. Niederreiter, Point Sets and Sequences with Small Discrepancy, Monatsh. Math. 104
+//! (1987), doi 10.1007/BF01294651.
 //!
 //! ```
 //! use workbook::{metrics::nets::{quality, violations}, samplers::{Sampler, sobol::Sobol}, seed::Seed};
@@ -53,7 +55,8 @@ impl Metric for Quality {
 /// Cell counts that one question may take.
 const MOST_COUNTS: f64 = 4_294_967_296.0;
 
-/// The quality t of `points` as a net in base `base`; `None` unless n is a power of it, or where the intervals are too many to look at.
+/// The quality t of `points` as a net in base `base`; `None` unless n is a power of it, or where
+/// the intervals are too many to look at.
 pub fn quality(points: &Points, base: u32) -> Option<u32> {
     let m = logarithm(points.len() as u64, base)?;
     // A net for t is one for t + 1 as well: the first t without a violation is the smallest.
@@ -65,7 +68,8 @@ pub fn quality(points: &Points, base: u32) -> Option<u32> {
     Some(m)
 }
 
-/// How many elementary intervals of volume b^(t-m) do not hold b^t points; `None` as for [`quality`].
+/// How many elementary intervals of volume b^(t-m) do not hold b^t points; `None` as for
+/// [`quality`].
 pub fn violations(points: &Points, base: u32, t: u32) -> Option<u64> {
     violated(points, base, t, false)
 }

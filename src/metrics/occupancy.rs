@@ -1,6 +1,7 @@
 //! Occupancy: how many points fall in each cell of a grid, and in each slab of each axis.
 //!
-//! A set is *stratified* where each of n cells holds one point, *Latin* where each of n slabs of every axis does. Cells are found by comparison with their borders as they are in `f64`
+//! A set is *stratified* where each of n cells holds one point, *Latin* where each of n slabs of
+//! every axis does. Cells are found by comparison with their borders as they are in `f64`
 //! ([`slab`]), so that rounding moves no point.
 //!
 //! ```
@@ -15,7 +16,8 @@ use crate::points::{Points, slab};
 /// The most cells of a grid.
 const MOST_CELLS: usize = 1 << 28;
 
-/// The counts of the cells of the grid with `cuts[j]` slabs on axis j, the first axis fastest; `None` unless there is one positive cut for each axis, and at most 2^28 cells.
+/// The counts of the cells of the grid with `cuts[j]` slabs on axis j, the first axis fastest;
+/// `None` unless there is one positive cut for each axis, and at most 2^28 cells.
 pub fn cells(points: &Points, cuts: &[usize]) -> Option<Vec<u32>> {
     let total = cuts.iter().try_fold(1_usize, |total, &cut| total.checked_mul(cut))?;
     if cuts.len() != points.dimensions() || total == 0 || total > MOST_CELLS {

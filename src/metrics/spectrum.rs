@@ -1,15 +1,21 @@
-//! The power spectrum of a point set on the torus: the periodogram itself, no transform of binned points.
+//! The power spectrum of a point set on the torus: the periodogram itself, no transform of binned
+//! points.
 //!
-//! **Formula.** P(w) = (1/n) | sum_i exp(-2 pi i w.x_i) |^2 at whole frequencies w = (u, v); P(0) = n, and 1 is the mean for independent points. Expected for jittered points on a k x k
-//! grid: 1 - prod sinc^2(w_j / k).
+//! **Formula.** P(w) = (1/n) | sum_i exp(-2 pi i w.x_i) |^2 at whole frequencies w = (u, v); P(0) =
+//! n, and 1 is the mean for independent points. Expected for jittered points on a k x k grid: 1 -
+//! prod sinc^2(w_j / k).
 //!
-//! **Algorithm.** exp(-2 pi i (u x + v y)) is a product of a factor in x and one in y, so that the sums for all (u, v) are a product of two matrices over the points. P(-w) = P(w), and the
-//! four products of cos and sin in a quarter of the plane give the other quarters.
+//! **Algorithm.** exp(-2 pi i (u x + v y)) is a product of a factor in x and one in y, so that the
+//! sums for all (u, v) are a product of two matrices over the points. P(-w) = P(w), and the four
+//! products of cos and sin in a quarter of the plane give the other quarters.
 //!
-//! **Radial means.** [`Spectrum::radial`] averages over rings of width 1 with their counts; the anisotropy of a ring is the variance of P over the ring, relative to the square of its mean, in decibels.
+//! **Radial means.** [`Spectrum::radial`] averages over rings of width 1 with their counts; the
+//! anisotropy of a ring is the variance of P over the ring, relative to the square of its mean, in
+//! decibels.
 //!
-//! **Papers.** R. A. Ulichney, Dithering with Blue Noise, Proc. IEEE 76(1) (1988), doi 10.1109/5.3288; T. Schloemer and O. Deussen, Accurate Spectral Analysis of Two-Dimensional Point Sets, J. Graphics, GPU and Game
-//! Tools 15(3) (2011), doi 10.1080/2151237X.2011.609773.
+//! **Papers.** R. A. Ulichney, Dithering with Blue Noise, Proc. IEEE 76(1) (1988), doi
+//! 10.1109/5.3288; T. Schloemer and O. Deussen, Accurate Spectral Analysis of Two-Dimensional Point
+//! Sets, J. Graphics, GPU and Game Tools 15(3) (2011), doi 10.1080/2151237X.2011.609773.
 //!
 //! ```
 //! use workbook::{metrics::spectrum::power, points::Points};
@@ -61,7 +67,8 @@ impl Spectrum {
         Some(Self { reach, half: places.map(mean).collect() })
     }
 
-    /// For each ring of frequencies r - 1/2 <= |w| < r + 1/2, r = 1 ..= reach: count, mean power and anisotropy.
+    /// For each ring of frequencies r - 1/2 <= |w| < r + 1/2, r = 1 ..= reach: count, mean power
+    /// and anisotropy.
     pub fn radial(&self) -> Vec<Ring> {
         let reach = self.reach as i32;
         let mut rings = vec![Vec::new(); self.reach + 1];
@@ -84,7 +91,8 @@ pub struct Ring {
     pub count: usize,
     /// Their mean power.
     pub mean: f64,
-    /// Their variance over the square of the mean, in decibels; about 0 for one realisation without a direction, lower by 10 log10 of the number of realisations averaged.
+    /// Their variance over the square of the mean, in decibels; about 0 for one realisation without
+    /// a direction, lower by 10 log10 of the number of realisations averaged.
     pub anisotropy: f64,
 }
 
@@ -135,7 +143,8 @@ pub fn power(points: &Points, reach: usize) -> Result<Spectrum, Unmeasured> {
 /// Points taken together: each sum is loaded and stored once for all of them.
 const BLOCK: usize = 8;
 
-/// Adds the products cos cos, sin sin, sin cos and cos sin of u x and v y, for all u, v >= 0, over the points of a block, in their order.
+/// Adds the products cos cos, sin sin, sin cos and cos sin of u x and v y, for all u, v >= 0, over
+/// the points of a block, in their order.
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
 fn accumulate(sums: &mut [Vec<f64>; 4], waves: &[[Waves; 2]], side: usize) {
     let [cc, ss, sc, cs] = sums;
@@ -156,7 +165,8 @@ fn accumulate(sums: &mut [Vec<f64>; 4], waves: &[[Waves; 2]], side: usize) {
     }
 }
 
-/// The power in the upper half plane from the sums in the quarter: cos(a + b) = cos a cos b - sin a sin b, and so on.
+/// The power in the upper half plane from the sums in the quarter: cos(a + b) = cos a cos b - sin a
+/// sin b, and so on.
 fn combine([cc, ss, sc, cs]: &[Vec<f64>; 4], reach: usize, n: f64) -> Vec<f64> {
     let side = reach + 1;
     let power = |v: usize, column: usize| {

@@ -1,17 +1,25 @@
-//! The star discrepancy: the largest difference between the share of points in a box at the origin and the box's volume.
+//! The star discrepancy: the largest difference between the share of points in a box at the origin
+//! and the box's volume.
 //!
-//! **Formula.** D* = sup over boxes \[0, q) in the unit cube of | #{x_i in \[0, q)} / n - vol |. The supremum needs boxes open and closed at their upper faces, whose corners have
-//! coordinates of points or 1.
+//! **Formula.** D* = sup over boxes \[0, q) in the unit cube of | #{x_i in \[0, q)} / n - vol |.
+//! The supremum needs boxes open and closed at their upper faces, whose corners have coordinates of
+//! points or 1.
 //!
-//! **Algorithms.** One dimension: sorting, 1/(2n) + max |x_(i) - (2i-1)/(2n)|. Two: a sweep along x over blocks in y, O(n^(3/2) log n), as below. Three: such sweeps at heights that bounds cannot
-//! skip. More: all boxes of the grid of
-//! coordinates, in the order of a tree that drops a branch as soon as its best bound is below the best found, up to a fixed number of steps; beyond, a lower bound, and called so.
+//! **Algorithms.** One dimension: sorting, 1/(2n) + max |x_(i) - (2i-1)/(2n)|. Two: a sweep along x
+//! over blocks in y, O(n^(3/2) log n), as below. Three: such sweeps at heights that bounds cannot
+//! skip. More: all boxes of the grid of coordinates, in the order of a tree that drops a branch as
+//! soon as its best bound is below the best found, up to a fixed number of steps; beyond, a lower
+//! bound, and called so.
 //!
-//! **The sweep.** Between two neighbouring abscissas X the box \[0, X) x \[0, y) holds a count c(y) that changes by steps; the two differences c(y)/n - X y and X y - c(y)/n are, for each fixed
-//! count, extremal at the ends of a step. Points that are kept sorted by y in blocks, each block with the convex hulls of its (y, count) corners, give the maximum of count/n - X y over a block by a
-//! binary search of the hull, since it is linear in X; adding a point rebuilds one block and shifts the counts of the later ones.
+//! **The sweep.** Between two neighbouring abscissas X the box \[0, X) x \[0, y) holds a count c(y)
+//! that changes by steps; the two differences c(y)/n - X y and X y - c(y)/n are, for each fixed
+//! count, extremal at the ends of a step. Points that are kept sorted by y in blocks, each block
+//! with the convex hulls of its (y, count) corners, give the maximum of count/n - X y over a block
+//! by a binary search of the hull, since it is linear in X; adding a point rebuilds one block and
+//! shifts the counts of the later ones.
 //!
-//! **Papers.** H. Niederreiter (1972), doi 10.1007/BF02412017; D. P. Dobkin, D. Eppstein and D. P. Mitchell (1996), doi 10.1145/234535.234536.
+//! **Papers.** H. Niederreiter (1972), doi 10.1007/BF02412017; D. P. Dobkin, D. Eppstein and D. P.
+//! Mitchell (1996), doi 10.1145/234535.234536.
 //!
 //! ```
 //! use workbook::{metrics::star::star_discrepancy, points::Points};
@@ -64,7 +72,8 @@ impl Metric for StarDiscrepancy {
     }
 }
 
-/// The star discrepancy of `points` with the box where it is attained; a lower bound, marked as such, where d >= 3 and the steps run out.
+/// The star discrepancy of `points` with the box where it is attained; a lower bound, marked as
+/// such, where d >= 3 and the steps run out.
 pub fn star_discrepancy(points: &Points) -> Result<Measured, Unmeasured> {
     check(points)?;
     Ok(match points.dimensions() {
@@ -120,8 +129,9 @@ fn in_the_plane(points: &Points) -> Measured {
     if full.value > empty.value { full.measured() } else { empty.measured() }
 }
 
-/// Offers, for the boxes of the plane, the largest count/n - `heights[0]` x y over closed boxes and the largest `heights[1]` x y - count/n over open ones, of points sorted by x. Boxes of
-/// space are this, with the points below a height and the height.
+/// Offers, for the boxes of the plane, the largest count/n - `heights[0]` x y over closed boxes and
+/// the largest `heights[1]` x y - count/n over open ones, of points sorted by x. Boxes of space are
+/// this, with the points below a height and the height.
 pub(super) fn sweep(order: &[[f64; 2]], n: usize, heights: [f64; 2], best: &mut [Best; 2]) {
     let mut ys: Vec<f64> = order.iter().map(|x| x[1]).chain([1.0]).collect();
     ys.sort_unstable_by(f64::total_cmp);
@@ -154,11 +164,21 @@ struct Sweep<'a> {
     blocks: Vec<Block>,
 }
 
-/// One block of ordinates: counts inside it, how many points lie in the blocks below, and the hulls of its corners.
+/// One block of ordinates: counts inside it, how many points lie in the blocks below, and the hulls
+/// of its corners.
 #[derive(Default)]
 struct Block {
     below: u32,
-    /// Corners (ordinate, closed count), such that count/n - x y is largest at one of them for every x.
+    /// How many points lie on the block's own ordinates.
+    inside: u32,
+    /// The last maximum over the full corners, less the share of points then: more points raise it
+    /// by their share at most.
+    full_base: f64,
+    /// The last maximum over the empty corners, less the area times the block's last ordinate then:
+    /// more area raises it by as much at most.
+    empty_base: f64,
+    /// Corners (ordinate, closed count), such that count/n - x y is largest at one of them for
+    /// every x.
     full: Vec<(f64, u32)>,
     /// Corners (ordinate, open count), such that x y - count/n is largest at one of them.
     empty: Vec<(f64, u32)>,
@@ -166,9 +186,11 @@ struct Block {
 
 impl<'a> Sweep<'a> {
     fn new(ys: &'a [f64], n: usize) -> Self {
-        // Adding costs a block's size and the number of blocks; asking costs the number of blocks and a search in each.
-        let size = ((ys.len() as f64).sqrt() * 2.0).ceil() as usize;
-        let blocks = (0..ys.len().div_ceil(size)).map(|_| Block::default()).collect();
+        // Adding costs a block's size and the number of blocks; asking costs the number of blocks
+        // and a search in each.
+        let size = ((ys.len() as f64).sqrt()).ceil() as usize;
+        let fresh = || Block { full_base: f64::INFINITY, empty_base: f64::INFINITY, ..Block::default() };
+        let blocks = (0..ys.len().div_ceil(size)).map(|_| fresh()).collect();
         let mut sweep = Self { ys, n: n as f64, size, on: vec![0; ys.len()], blocks };
         (0..sweep.blocks.len()).for_each(|block| sweep.rebuild(block));
         sweep
@@ -187,7 +209,7 @@ impl<'a> Sweep<'a> {
     fn rebuild(&mut self, block: usize) {
         let from = block * self.size;
         let to = (from + self.size).min(self.ys.len());
-        let Block { mut full, mut empty, below } = std::mem::take(&mut self.blocks[block]);
+        let Block { mut full, mut empty, below, full_base, empty_base, .. } = std::mem::take(&mut self.blocks[block]);
         full.clear();
         empty.clear();
         let mut count = 0;
@@ -196,29 +218,44 @@ impl<'a> Sweep<'a> {
             count += self.on[at];
             push(&mut full, (self.ys[at], count), true);
         }
-        self.blocks[block] = Block { below, full, empty };
+        self.blocks[block] = Block { below, inside: count, full_base, empty_base, full, empty };
     }
 
     /// Offers the largest count/n - x y over closed boxes.
-    fn largest_full(&self, x: f64, height: f64, best: &mut Best) {
-        let area = x * height;
-        let score = |(y, count): (f64, u32)| f64::from(count) / self.n - area * y;
-        for block in &self.blocks {
+    fn largest_full(&mut self, x: f64, height: f64, best: &mut Best) {
+        let (n, area) = (self.n, x * height);
+        let score = |(y, count): (f64, u32)| f64::from(count) / n - area * y;
+        for block in &mut self.blocks {
+            let share = f64::from(block.below + block.inside) / n;
+            if block.full_base + share + SLACK < best.value {
+                continue;
+            }
             let (y, count) = peak(&block.full, score);
-            best.offer(score((y, block.below + count)), || vec![x, y]);
+            let value = score((y, block.below + count));
+            block.full_base = value - share;
+            best.offer(value, || vec![x, y]);
         }
     }
 
     /// Offers the largest x y - count/n over open boxes.
-    fn largest_empty(&self, x: f64, height: f64, best: &mut Best) {
-        let area = x * height;
-        let score = |(y, count): (f64, u32)| area * y - f64::from(count) / self.n;
-        for block in &self.blocks {
+    fn largest_empty(&mut self, x: f64, height: f64, best: &mut Best) {
+        let (n, area) = (self.n, x * height);
+        let score = |(y, count): (f64, u32)| area * y - f64::from(count) / n;
+        for block in &mut self.blocks {
+            let last = block.empty.last().map_or(1.0, |corner| corner.0);
+            if block.empty_base + area * last + SLACK < best.value {
+                continue;
+            }
             let (y, count) = peak(&block.empty, score);
-            best.offer(score((y, block.below + count)), || vec![x, y]);
+            let value = score((y, block.below + count));
+            block.empty_base = value - area * last;
+            best.offer(value, || vec![x, y]);
         }
     }
 }
+
+/// More than rounding can make of a bound.
+const SLACK: f64 = 1e-12;
 
 /// Adds a corner at the right of a hull that bends down (`upper`) or up.
 fn push(hull: &mut Vec<(f64, u32)>, corner: (f64, u32), upper: bool) {

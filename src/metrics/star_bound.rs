@@ -1,7 +1,10 @@
-//! The star discrepancy in four and more dimensions: all boxes of the grid, with branches dropped by bounds.
+//! The star discrepancy in four and more dimensions: all boxes of the grid, with branches dropped
+//! by bounds.
 //!
-//! A branch fixes the upper corner's coordinates on the first axes and carries along the points that are still inside. With the axes left open the count only falls and the volume
-//! only shrinks, which bounds every box of the branch: the excess of points by what is inside now, the excess of volume by the volume now.
+//! A branch fixes the upper corner's coordinates on the first axes and carries along the points
+//! that are still inside. With the axes left open the count only falls and the volume only shrinks,
+//! which bounds every box of the branch: the excess of points by what is inside now, the excess of
+//! volume by the volume now.
 
 use super::Measured;
 use super::star::Best;
@@ -38,14 +41,16 @@ struct Search {
 }
 
 impl Search {
-    /// Closed boxes, with too many points: `inside` are the points that the first `axis` coordinates leave.
+    /// Closed boxes, with too many points: `inside` are the points that the first `axis`
+    /// coordinates leave.
     fn closed(&mut self, axis: usize, volume: f64, inside: &[&[f64]]) {
         if axis == self.grid.len() {
             let corner = &self.corner;
             self.best.offer(inside.len() as f64 / self.n - volume, || corner.clone());
             return;
         }
-        // The best box ends at a point on every axis; with k points it has at least the volume of the first k.
+        // The best box ends at a point on every axis; with k points it has at least the volume of
+        // the first k.
         let mut sorted: Vec<&[f64]> = inside.to_vec();
         sorted.sort_unstable_by(|a, b| a[axis].total_cmp(&b[axis]));
         // The smallest volume that the axes behind can leave.

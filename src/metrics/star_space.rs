@@ -1,8 +1,10 @@
 //! The star discrepancy in three dimensions: plane sweeps at a few heights.
 //!
-//! Sort the points by z. The first j of them, with the height of the last, give the closed boxes that end there; with the height of the next, the open boxes. From one height to
-//! another both extrema can only change so fast: with s more points the excess of points grows by at most s/n, and the excess of volume by the difference of the heights, and likewise downwards. Heights whose bound
-//! does not pass the best so far are skipped; the others are visited by halving the gaps.
+//! Sort the points by z. The first j of them, with the height of the last, give the closed boxes
+//! that end there; with the height of the next, the open boxes. From one height to another both
+//! extrema can only change so fast: with s more points the excess of points grows by at most s/n,
+//! and the excess of volume by the difference of the heights, and likewise downwards. Heights whose
+//! bound does not pass the best so far are skipped; the others are visited by halving the gaps.
 
 use super::Measured;
 use super::star::{Best, sweep};
@@ -48,7 +50,10 @@ impl Search<'_> {
         let lowest = self.order.iter().filter(|&&place| place < count);
         let plane: Vec<[f64; 2]> = lowest.map(|&place| [self.rows[place][0], self.rows[place][1]]).collect();
         let heights = [self.below(count), self.above(count)];
-        let mut found = [Best::default(), Best::default()];
+        // Extrema below this share of the best need not be known exactly to skip their neighbours:
+        // the sweep may pass over blocks that cannot reach it.
+        let floor = 0.6 * self.best.value;
+        let mut found = [(); 2].map(|()| Best { value: floor, corner: vec![0.0; 2] });
         sweep(&plane, self.rows.len(), heights, &mut found);
         let extrema = [found[0].value, found[1].value];
         for (found, height) in found.into_iter().zip(heights) {

@@ -1,10 +1,13 @@
 //! Many points at once: the fast paths, which give the bits of the slow ones.
 //!
-//! **Binary sequences.** The rows of P = 2^p consecutive points are one vector of P d words. The vector of the next P points is it XOR a vector that depends only on how many low bits of the block number flip, so
-//! that one XOR a word makes all coordinates, in the order in which they are stored. The compiler turns that loop into the widest instructions of the processor, chosen at run time; whole numbers and
-//! single roundings give the same bits on all of them.
+//! **Binary sequences.** The rows of P = 2^p consecutive points are one vector of P d words. The
+//! vector of the next P points is it XOR a vector that depends only on how many low bits of the
+//! block number flip, so that one XOR a word makes all coordinates, in the order in which they are
+//! stored. The compiler turns that loop into the widest instructions of the processor, chosen at
+//! run time; whole numbers and single roundings give the same bits on all of them.
 //!
-//! **Radical inverses.** The low digits of the index run through a table, the high digits change once a table: a coordinate is one addition and one division.
+//! **Radical inverses.** The low digits of the index run through a table, the high digits change
+//! once a table: a coordinate is one addition and one division.
 
 use super::{Digital, Radix};
 use crate::scrambles::owen_hash;
@@ -24,9 +27,11 @@ pub enum Finish {
     Hash(u32),
 }
 
-/// The first `rows / d` points, from index 0, of a binary sequence, row-major in `out`, each axis finished in its way; `finishes` has one for each axis, all of one kind.
+/// The first `rows / d` points, from index 0, of a binary sequence, row-major in `out`, each axis
+/// finished in its way; `finishes` has one for each axis, all of one kind.
 ///
-/// Nothing is done, and `false` returned, where the kinds differ or there are more than 2^32 points.
+/// Nothing is done, and `false` returned, where the kinds differ or there are more than 2^32
+/// points.
 pub fn binary(digital: &dyn Digital, finishes: &[Finish], out: &mut [f64]) -> bool {
     let d = finishes.len();
     let n = out.len() / d.max(1);
@@ -57,7 +62,8 @@ pub fn binary(digital: &dyn Digital, finishes: &[Finish], out: &mut [f64]) -> bo
 struct Rows {
     d: usize,
     start: Vec<u32>,
-    /// `steps[c]`: the vector to add when the c low bits of the block number are ones, and flip with the next.
+    /// `steps[c]`: the vector to add when the c low bits of the block number are ones, and flip
+    /// with the next.
     steps: Vec<Vec<u32>>,
 }
 
@@ -136,9 +142,11 @@ fn hashed(rows: &Rows, keys: &[u32], out: &mut [f64]) {
 /// Entries of the table of low digits, at most: it stays in the nearest cache.
 const ENTRIES: u64 = 1024;
 
-/// Radical inverses of the indices 0, 1, ... with every digit mapped by its position, in every `stride`-th place of `out`.
+/// Radical inverses of the indices 0, 1, ... with every digit mapped by its position, in every
+/// `stride`-th place of `out`.
 ///
-/// `image(position, digit)` is the mapped digit, for positions from the first behind the point, and `tail` the fraction of a last digit that is added.
+/// `image(position, digit)` is the mapped digit, for positions from the first behind the point, and
+/// `tail` the fraction of a last digit that is added.
 pub fn radical(radix: Radix, image: impl Fn(usize, u64) -> u64, tail: f64, out: &mut [f64], stride: usize) {
     let base = u64::from(radix.base);
     let n = out.len().div_ceil(stride) as u64;
@@ -159,8 +167,15 @@ pub fn radical(radix: Radix, image: impl Fn(usize, u64) -> u64, tail: f64, out: 
         }
         sum
     };
-    // Numerators are below 2^53: as `f64` they are exact, and so is their sum.
-    let table: Vec<f64> = (0..entries).map(|index| mapped(index, 0..low_digits) as f64).collect();
+    // Numerators are below 2^53: as `f64` they are exact, and so is their sum. Each further digit
+    // repeats the table b times.
+    let mut table = vec![0.0];
+    let mut place = radix.scale;
+    for position in 0..low_digits {
+        place /= base;
+        let digits = (0..base).map(|digit| (image(position, digit) * place) as f64);
+        table = digits.flat_map(|worth| table.iter().map(move |low| low + worth)).collect();
+    }
     for (high, block) in out.chunks_mut(entries as usize * stride).enumerate() {
         let above = mapped(high as u64, low_digits..radix.digits as usize);
         if tail == 0.0 {

@@ -1,6 +1,7 @@
 //! Mitchell's best candidate, on the torus.
 //!
-//! **What.** Each new point is the one of several uniform candidates that is farthest from all points before; the number of candidates grows with the number of points, so that the quality
+//! **What.** Each new point is the one of several uniform candidates that is farthest from all
+//! points before; the number of candidates grows with the number of points, so that the quality
 //! stays the same.
 //!
 //! **Formula.** Point i, from 0, is the best of i + 1 candidates.
@@ -9,9 +10,11 @@
 //!
 //! **Cost.** About n^2 / 2 searches for a nearest neighbour, each of constant time with buckets.
 //!
-//! **Limits.** Two dimensions and at most 65,536 points. Distances must be toroidal, or points crowd along the border.
+//! **Limits.** Two dimensions and at most 65,536 points. Distances must be toroidal, or points
+//! crowd along the border.
 //!
-//! **Paper.** D. P. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, SIGGRAPH 1991, doi 10.1145/122718.122736.
+//! **Paper.** D. P. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, SIGGRAPH
+//! 1991, doi 10.1145/122718.122736.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, best_candidate::BestCandidate}, seed::Seed};

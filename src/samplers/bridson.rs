@@ -1,18 +1,23 @@
 //! Poisson disks by Bridson's algorithm, on the torus.
 //!
-//! **What.** From a first random point the set grows: around a point of the front up to 30 candidates are thrown in the ring between one and two radii, and the first that is far enough from all others
-//! joins the front; a point with no success leaves it.
+//! **What.** From a first random point the set grows: around a point of the front up to 30
+//! candidates are thrown in the ring between one and two radii, and the first that is far enough
+//! from all others joins the front; a point with no success leaves it.
 //!
 //! **Formula.** Each candidate lies uniformly in the ring r <= distance < 2r.
 //!
-//! **Guarantees.** No two points are nearer on the torus than 0.65 of the largest possible distance; unbiased.
+//! **Guarantees.** No two points are nearer on the torus than 0.65 of the largest possible
+//! distance; unbiased.
 //!
-//! **Cost.** Linear in n for each run; the radius is corrected over several runs until a run ends with exactly n points.
+//! **Cost.** Linear in n for each run; the radius is corrected over several runs until a run ends
+//! with exactly n points.
 //!
-//! **Limits.** Two dimensions. It is not the distribution of dart throwing: points crowd just beyond the radius of their parent. The count of a run cannot be foreseen; if eight runs miss n, the nearest larger one
-//! loses its surplus at random.
+//! **Limits.** Two dimensions. It is not the distribution of dart throwing: points crowd just
+//! beyond the radius of their parent. The count of a run cannot be foreseen; if eight runs miss n,
+//! the nearest larger one loses its surplus at random.
 //!
-//! **Paper.** R. Bridson, Fast Poisson Disk Sampling in Arbitrary Dimensions, SIGGRAPH sketches 2007, doi 10.1145/1278780.1278807.
+//! **Paper.** R. Bridson, Fast Poisson Disk Sampling in Arbitrary Dimensions, SIGGRAPH sketches
+//! 2007, doi 10.1145/1278780.1278807.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, bridson::Bridson}, seed::Seed};

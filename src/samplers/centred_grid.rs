@@ -4,13 +4,15 @@
 //!
 //! **Formula.** x_j = (c_j + 1/2) / k, c_j in 0..k.
 //!
-//! **Guarantees.** One point in each cell; deterministic. The error falls like n^(-2/d) for smooth f. In two dimensions the star discrepancy is 1/k - 1/(4 k^2).
+//! **Guarantees.** One point in each cell; deterministic. The error falls like n^(-2/d) for smooth
+//! f. In two dimensions the star discrepancy is 1/k - 1/(4 k^2).
 //!
 //! **Cost.** One division for each coordinate.
 //!
 //! **Limits.** n = k^d. Every axis sees only n^(1/d) different coordinates; edges alias.
 //!
-//! **Source.** P. J. Davis and P. Rabinowitz, Methods of Numerical Integration (1984), doi 10.1016/C2013-0-10566-1.
+//! **Source.** P. J. Davis and P. Rabinowitz, Methods of Numerical Integration (1984), doi
+//! 10.1016/C2013-0-10566-1.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, centred_grid::CentredGrid}, seed::Seed};

@@ -1,16 +1,22 @@
 //! Poisson disks by dart throwing, on the torus.
 //!
-//! **What.** Uniform points come one by one, and each is refused if it lies nearer to one before than the radius.
+//! **What.** Uniform points come one by one, and each is refused if it lies nearer to one before
+//! than the radius.
 //!
-//! **Formula.** The radius is r = 0.7 sqrt(2 / (sqrt(3) n)), 0.7 of the largest distance that n points can keep; the disks of radius r/2 cover 0.44 of the torus, where throwing jams at 0.547.
+//! **Formula.** The radius is r = 0.7 sqrt(2 / (sqrt(3) n)), 0.7 of the largest distance that n
+//! points can keep; the disks of radius r/2 cover 0.44 of the torus, where throwing jams at 0.547.
 //!
-//! **Guarantees.** No two points are nearer on the torus than 0.7 of the largest possible distance; unbiased.
+//! **Guarantees.** No two points are nearer on the torus than 0.7 of the largest possible distance;
+//! unbiased.
 //!
 //! **Cost.** Linear in n with buckets: about 40 darts for each point.
 //!
-//! **Limits.** Two dimensions. Holes remain, larger than in a [maximal](super::maximal_poisson) set. A throw that jams starts again.
+//! **Limits.** Two dimensions. Holes remain, larger than in a [maximal](super::maximal_poisson)
+//! set. A throw that jams starts again.
 //!
-//! **Paper.** R. L. Cook, Stochastic Sampling in Computer Graphics (1986), doi 10.1145/7529.8927; the jamming limit: E. L. Hinrichsen, J. Feder and T. Jossang, J. Stat. Phys. 44 (1986), doi 10.1007/BF01011908.
+//! **Paper.** R. L. Cook, Stochastic Sampling in Computer Graphics (1986), doi 10.1145/7529.8927;
+//! the jamming limit: E. L. Hinrichsen, J. Feder and T. Jossang, J. Stat. Phys. 44 (1986), doi
+//! 10.1007/BF01011908.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, dart_throwing::DartThrowing}, seed::Seed};

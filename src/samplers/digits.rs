@@ -1,7 +1,9 @@
-//! Digits of whole numbers, and how they become coordinates: the common ground of the digital sequences and their scrambles.
+//! Digits of whole numbers, and how they become coordinates: the common ground of the digital
+//! sequences and their scrambles.
 //!
-//! A digital construction gives, for each axis, a *numerator*: the whole number v whose base-b digits, most significant first, are those of
-//! the coordinate x = v / b^m. Digits are worked on as integers and divided once, so that no coordinate ever rounds up to 1.
+//! A digital construction gives, for each axis, a *numerator*: the whole number v whose base-b
+//! digits, most significant first, are those of the coordinate x = v / b^m. Digits are worked on as
+//! integers and divided once, so that no coordinate ever rounds up to 1.
 
 /// 2^53: every whole number up to it is a `f64`.
 const EXACT: u64 = 1 << 53;
@@ -14,7 +16,8 @@ pub const GRAIN: f64 = 1.0 / EXACT as f64;
 pub struct Radix {
     /// The base b, at least 2.
     pub base: u32,
-    /// The number of digits m: the most with b^m <= 2^53 (53 in base 2, 33 in base 3, 7 in base 131).
+    /// The number of digits m: the most with b^m <= 2^53 (53 in base 2, 33 in base 3, 7 in base
+    /// 131).
     pub digits: u32,
     /// b^m, the denominator of every coordinate.
     pub scale: u64,
@@ -32,19 +35,22 @@ impl Radix {
         Self { base, digits, scale }
     }
 
-    /// The coordinate of `numerator < scale`: one division of two exact numbers, hence the nearest `f64`, and below 1.
+    /// The coordinate of `numerator < scale`: one division of two exact numbers, hence the nearest
+    /// `f64`, and below 1.
     #[inline]
     pub fn coordinate(self, numerator: u64) -> f64 {
         numerator as f64 / self.scale as f64
     }
 
-    /// The coordinate of `numerator` with the fraction `tail` in [0, 1) of a last digit added; it stays in its interval.
+    /// The coordinate of `numerator` with the fraction `tail` in [0, 1) of a last digit added; it
+    /// stays in its interval.
     #[inline]
     pub fn coordinate_with(self, numerator: u64, tail: f64) -> f64 {
         within(numerator, self.scale, tail)
     }
 
-    /// The numerator whose digits are those of `index` in reverse: the radical inverse times `scale`. Digits of `index` beyond the `digits`-th are dropped.
+    /// The numerator whose digits are those of `index` in reverse: the radical inverse times
+    /// `scale`. Digits of `index` beyond the `digits`-th are dropped.
     pub fn reversed(self, index: u64) -> u64 {
         if self.base == 2 {
             return index.reverse_bits() >> 11;
@@ -59,13 +65,16 @@ impl Radix {
     }
 }
 
-/// The number (`cell` + `fraction`) / `count`, kept inside [cell / count, (cell + 1) / count) where rounding would push it out.
+/// The number (`cell` + `fraction`) / `count`, kept inside [cell / count, (cell + 1) / count) where
+/// rounding would push it out.
 ///
-/// `fraction` is in [0, 1), and `cell < count`. In plain arithmetic (15 + u) / 16 rounds to 1 for u close to 1.
+/// `fraction` is in [0, 1), and `cell < count`. In plain arithmetic (15 + u) / 16 rounds to 1 for u
+/// close to 1.
 #[inline]
 pub fn within(cell: u64, count: u64, fraction: f64) -> f64 {
     let x = (cell as f64 + fraction) / count as f64;
-    // A gap of 2^-30 to the end, relative to at most 2^20 cells, is more than two roundings can bridge.
+    // A gap of 2^-30 to the end, relative to at most 2^20 cells, is more than two roundings can
+    // bridge.
     if fraction < 1.0 - 1.0 / 1_073_741_824.0 && count <= 1 << 20 {
         return x;
     }
@@ -98,7 +107,8 @@ pub fn root(n: u64, d: u32) -> u64 {
     low
 }
 
-/// Columns and rows of the grid of `n` cells nearest to a square, with rows <= columns <= 2 rows; `None` where n has no such factors.
+/// Columns and rows of the grid of `n` cells nearest to a square, with rows <= columns <= 2 rows;
+/// `None` where n has no such factors.
 pub fn sides(n: usize) -> Option<(usize, usize)> {
     let rows = (1..=root(n as u64, 2) as usize)
         .rev()

@@ -1,14 +1,19 @@
-//! Enumeration: which indices of a Halton or Sobol' sequence fall in a given box, found without search.
+//! Enumeration: which indices of a Halton or Sobol' sequence fall in a given box, found without
+//! search.
 //!
-//! **Halton.** A coordinate lies in the interval c / b^k ... (c + 1) / b^k exactly if the k lowest digits of the index are those of c in reverse: a congruence modulo b^k. Several axes have
+//! **Halton.** A coordinate lies in the interval c / b^k ... (c + 1) / b^k exactly if the k lowest
+//! digits of the index are those of c in reverse: a congruence modulo b^k. Several axes have
 //! coprime moduli, and the Chinese remainder theorem makes one congruence of all.
 //!
-//! **Sobol'.** The k first digits of a coordinate are k linear equations modulo 2 in the bits of the index. Elimination solves those of all axes at once, for the indices of any aligned
-//! block of 2^m.
+//! **Sobol'.** The k first digits of a coordinate are k linear equations modulo 2 in the bits of
+//! the index. Elimination solves those of all axes at once, for the indices of any aligned block of
+//! 2^m.
 //!
-//! A pixel of an image is such a box: a renderer can go from pixel to pixel and still use one sequence for the whole picture.
+//! A pixel of an image is such a box: a renderer can go from pixel to pixel and still use one
+//! sequence for the whole picture.
 //!
-//! **Paper.** L. Gruenschloss, M. Raab and A. Keller, Enumerating Quasi-Monte Carlo Point Sequences in Elementary Intervals, Monte Carlo and Quasi-Monte Carlo Methods 2010, doi
+//! **Paper.** L. Gruenschloss, M. Raab and A. Keller, Enumerating Quasi-Monte Carlo Point Sequences
+//! in Elementary Intervals, Monte Carlo and Quasi-Monte Carlo Methods 2010, doi
 //! 10.1007/978-3-642-27440-4_21.
 //!
 //! ```
@@ -25,7 +30,8 @@ use super::Radix;
 use super::halton::PRIMES;
 use super::sobol;
 
-/// An interval of one axis: the coordinates whose first `digits` digits are those of `cell`, i.e. \[cell / b^digits, (cell + 1) / b^digits).
+/// An interval of one axis: the coordinates whose first `digits` digits are those of `cell`, i.e.
+/// \[cell / b^digits, (cell + 1) / b^digits).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interval {
     /// The axis, from 0.
@@ -45,8 +51,9 @@ pub struct Progression {
     pub step: u64,
 }
 
-/// The indices of the Halton sequence whose points lie in the box of `intervals`, at most one for each axis. `None` where a cell or an axis is out of range, an axis comes twice,
-/// or the product of all b^digits is not below 2^53.
+/// The indices of the Halton sequence whose points lie in the box of `intervals`, at most one for
+/// each axis. `None` where a cell or an axis is out of range, an axis comes twice, or the product
+/// of all b^digits is not below 2^53.
 pub fn halton(intervals: &[Interval]) -> Option<Progression> {
     let mut all = Progression { first: 0, step: 1 };
     for (k, interval) in intervals.iter().enumerate() {
@@ -57,7 +64,8 @@ pub fn halton(intervals: &[Interval]) -> Option<Progression> {
             return None;
         }
         let remainder = reversed(interval.cell, base, interval.digits);
-        // first + step t = remainder modulo count: t is the difference over the step, whose inverse exists, since the moduli are coprime.
+        // first + step t = remainder modulo count: t is the difference over the step, whose inverse
+        // exists, since the moduli are coprime.
         let difference = (remainder + count - all.first % count) % count;
         let t = multiply(difference, inverse(all.step % count, count), count);
         all = Progression { first: all.first + all.step * t, step: all.step * count };
@@ -79,7 +87,8 @@ fn multiply(a: u64, b: u64, modulus: u64) -> u64 {
     (u128::from(a) * u128::from(b) % u128::from(modulus)) as u64
 }
 
-/// The inverse of `a` modulo `modulus`, which have no common divisor (Euclid's algorithm with one coefficient); 0 modulo 1.
+/// The inverse of `a` modulo `modulus`, which have no common divisor (Euclid's algorithm with one
+/// coefficient); 0 modulo 1.
 fn inverse(a: u64, modulus: u64) -> u64 {
     let m = i128::from(modulus);
     let (mut old, mut new) = ((i128::from(a), 1), (m, 0));
@@ -93,8 +102,9 @@ fn inverse(a: u64, modulus: u64) -> u64 {
 /// The most indices that one call gives: 2^20.
 const MOST_FREE_BITS: u32 = 20;
 
-/// The indices of the Sobol' sequence in the block `block * 2^m .. (block + 1) * 2^m` whose points lie in the box of `intervals`, in rising order. `None` where an axis, a cell or the
-/// block is out of range, or the indices are more than 2^20.
+/// The indices of the Sobol' sequence in the block `block * 2^m .. (block + 1) * 2^m` whose points
+/// lie in the box of `intervals`, in rising order. `None` where an axis, a cell or the block is out
+/// of range, or the indices are more than 2^20.
 pub fn sobol(intervals: &[Interval], m: u32, block: u64) -> Option<Vec<u64>> {
     let digits = Radix::new(2).digits;
     if m > digits || block.checked_shl(m).is_none_or(|first| first >> m != block || first >> digits != 0) {

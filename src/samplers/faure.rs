@@ -1,17 +1,23 @@
 //! The Faure sequence: powers of the Pascal matrix in a prime base.
 //!
-//! **What.** All d axes share the smallest prime p >= d as base; axis j multiplies the digits of the index by the j-th power of Pascal's triangle modulo p.
+//! **What.** All d axes share the smallest prime p >= d as base; axis j multiplies the digits of
+//! the index by the j-th power of Pascal's triangle modulo p.
 //!
-//! **Formula.** The matrix of axis j has the entries C\[r\]\[c\] = binom(c, r) j^(c-r) mod p for r <= c; with index digits a_c, digit r of the coordinate is the sum of C\[r\]\[c\] a_c mod p.
+//! **Formula.** The matrix of axis j has the entries C\[r\]\[c\] = binom(c, r) j^(c-r) mod p for r
+//! <= c; with index digits a_c, digit r of the coordinate is the sum of C\[r\]\[c\] a_c mod p.
 //!
-//! **Guarantees.** The first m of n points are the m points; every aligned block of p^m points is a (0, m, d)-net in base p: t = 0 in every dimension, which no binary sequence has beyond
-//! two. Deterministic.
+//! **Guarantees.** The first m of n points are the m points; every aligned block of p^m points is a
+//! (0, m, d)-net in base p: t = 0 in every dimension, which no binary sequence has beyond two.
+//! Deterministic.
 //!
-//! **Cost.** The square of the number of digits for each coordinate at random; one vector addition in a batch.
+//! **Cost.** The square of the number of digits for each coordinate at random; one vector addition
+//! in a batch.
 //!
-//! **Limits.** Good only at n = p^m, which is coarse for large d, and early points lie near the diagonal; at most 256 dimensions.
+//! **Limits.** Good only at n = p^m, which is coarse for large d, and early points lie near the
+//! diagonal; at most 256 dimensions.
 //!
-//! **Paper.** H. Faure, Discrepance de suites associees a un systeme de numeration (en dimension s), Acta Arith. 41 (1982), doi 10.4064/aa-41-4-337-351.
+//! **Paper.** H. Faure, Discrepance de suites associees a un systeme de numeration (en dimension
+//! s), Acta Arith. 41 (1982), doi 10.4064/aa-41-4-337-351.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, faure::Faure}, seed::Seed};
@@ -88,12 +94,14 @@ pub fn base(d: usize) -> u32 {
     PRIMES.into_iter().find(|&prime| prime as usize >= d).unwrap_or(257)
 }
 
-/// The columns of the matrix of axis `axis`: entry `[c][r]` is binom(c, r) axis^(c-r) mod p, for r <= c.
+/// The columns of the matrix of axis `axis`: entry `[c][r]` is binom(c, r) axis^(c-r) mod p, for r
+/// <= c.
 fn matrix(radix: Radix, axis: u64) -> Vec<Vec<u64>> {
     let p = u64::from(radix.base);
     let mut columns: Vec<Vec<u64>> = vec![vec![1]];
     for c in 1..radix.digits as usize {
-        // Pascal's rule with weights: the column of (axis + z)^c is that of (axis + z)^(c-1) times axis, plus itself one row down.
+        // Pascal's rule with weights: the column of (axis + z)^c is that of (axis + z)^(c-1) times
+        // axis, plus itself one row down.
         let before = &columns[c - 1];
         let entry = |r: usize| {
             let stay = before.get(r).map_or(0, |entry| entry * axis);
@@ -132,7 +140,8 @@ impl Digital for Sequence {
             used += 1;
         }
         let numerator = sums[..used].iter().fold(0, |numerator, sum| numerator * p + sum % p);
-        // The digits behind are 0: an upper triangular matrix makes no more digits than the index has.
+        // The digits behind are 0: an upper triangular matrix makes no more digits than the index
+        // has.
         (used..self.radix.digits as usize).fold(numerator, |numerator, _| numerator * p)
     }
 }

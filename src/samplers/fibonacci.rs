@@ -1,16 +1,19 @@
 //! The Fibonacci lattice.
 //!
-//! **What.** n = F_k points in the plane, on a lattice whose second axis steps by the Fibonacci number before n.
+//! **What.** n = F_k points in the plane, on a lattice whose second axis steps by the Fibonacci
+//! number before n.
 //!
 //! **Formula.** x_i = (i/n, (i F_(k-1) mod n) / n), n = F_k.
 //!
-//! **Guarantees.** One point in each slab of both axes; deterministic; the best rank-1 lattice in the plane, with star discrepancy O(log(n) / n).
+//! **Guarantees.** One point in each slab of both axes; deterministic; the best rank-1 lattice in
+//! the plane, with star discrepancy O(log(n) / n).
 //!
 //! **Cost.** One whole multiplication and division for each point.
 //!
 //! **Limits.** n must be a Fibonacci number; one or two dimensions.
 //!
-//! **Paper.** S. K. Zaremba, Good Lattice Points, Discrepancy, and Numerical Integration, Ann. Mat. Pura Appl. 73 (1966), doi 10.1007/BF02415091.
+//! **Paper.** S. K. Zaremba, Good Lattice Points, Discrepancy, and Numerical Integration, Ann. Mat.
+//! Pura Appl. 73 (1966), doi 10.1007/BF02415091.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, fibonacci::Fibonacci}, seed::Seed};

@@ -1,16 +1,20 @@
 //! The folded radical inverse, or Halton-Zaremba sequence.
 //!
-//! **What.** As the Halton sequence, but digit k of each radical inverse, counted from 0, is raised by k modulo the base, for all infinitely many k.
+//! **What.** As the Halton sequence, but digit k of each radical inverse, counted from 0, is raised
+//! by k modulo the base, for all infinitely many k.
 //!
 //! **Formula.** i = sum a_k b^k gives sum ((a_k + k) mod b) b^(-k-1).
 //!
-//! **Guarantees.** The first m of n points are the m points; boxes keep their counts as in the Halton sequence. Deterministic; in base 2, n = 0, 1, 2, ... gives 1/3, 5/6, 1/12, 7/12, ...
+//! **Guarantees.** The first m of n points are the m points; boxes keep their counts as in the
+//! Halton sequence. Deterministic; in base 2, n = 0, 1, 2, ... gives 1/3, 5/6, 1/12, 7/12, ...
 //!
 //! **Cost.** One division for each digit that a `f64` holds.
 //!
-//! **Limits.** Digits of the index that a `f64` cannot hold are dropped; at most 256 dimensions; correlated late axes, as Halton's.
+//! **Limits.** Digits of the index that a `f64` cannot hold are dropped; at most 256 dimensions;
+//! correlated late axes, as Halton's.
 //!
-//! **Paper.** J. H. Halton and S. K. Zaremba, The Extreme and L2 Discrepancies of Some Plane Sets, Monatsh. Math. 73 (1969), doi 10.1007/BF01298982.
+//! **Paper.** J. H. Halton and S. K. Zaremba, The Extreme and L2 Discrepancies of Some Plane Sets,
+//! Monatsh. Math. 73 (1969), doi 10.1007/BF01298982.
 //!
 //! ```
 //! use workbook::samplers::folded::folded_inverse;
@@ -82,7 +86,8 @@ pub fn folded_inverse(index: u64, base: u32) -> f64 {
         numerator = numerator * base + (rest + k) % base;
         rest /= base;
     }
-    // Behind the last digit of the index, 0 + k mod b goes on for ever; its sum is known to the last bit after 60 terms.
+    // Behind the last digit of the index, 0 + k mod b goes on for ever; its sum is known to the
+    // last bit after 60 terms.
     let tail = (0..60).rev().fold(0.0, |sum, k| (sum + ((u64::from(radix.digits) + k) % base) as f64) / base as f64);
     radix.coordinate_with(numerator, tail)
 }

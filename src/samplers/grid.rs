@@ -1,6 +1,7 @@
 //! The regular grid: the lower corner of each of n = k^d equal cells.
 //!
-//! **What.** Equal steps along every axis from 0; cell i has the coordinates of i written in base k, the first axis fastest.
+//! **What.** Equal steps along every axis from 0; cell i has the coordinates of i written in base
+//! k, the first axis fastest.
 //!
 //! **Formula.** x_j = c_j / k, c_j in 0..k.
 //!
@@ -8,9 +9,11 @@
 //!
 //! **Cost.** One division for each coordinate.
 //!
-//! **Limits.** n = k^d. Every axis sees only n^(1/d) different coordinates, and the set leans to the origin: star discrepancy 1 - (1 - 1/k)^d. Aliasing is at its worst.
+//! **Limits.** n = k^d. Every axis sees only n^(1/d) different coordinates, and the set leans to
+//! the origin: star discrepancy 1 - (1 - 1/k)^d. Aliasing is at its worst.
 //!
-//! **Source.** P. J. Davis and P. Rabinowitz, Methods of Numerical Integration (1984), doi 10.1016/C2013-0-10566-1.
+//! **Source.** P. J. Davis and P. Rabinowitz, Methods of Numerical Integration (1984), doi
+//! 10.1016/C2013-0-10566-1.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, grid::Grid}, seed::Seed};

@@ -1,19 +1,23 @@
 //! The Halton sequence: radical inverses in a different prime base on each axis.
 //!
-//! **What.** Axis j reverses the digits of the index in base b_j, the j-th prime: (Phi_2(i), Phi_3(i), Phi_5(i), ...).
+//! **What.** Axis j reverses the digits of the index in base b_j, the j-th prime: (Phi_2(i),
+//! Phi_3(i), Phi_5(i), ...).
 //!
 //! **Formula.** i = sum a_k b^k gives Phi_b(i) = sum a_k b^(-k-1).
 //!
-//! **Guarantees.** The first m of n points are the m points; of any b1^k1 ... bd^kd consecutive points one falls in each of the equal boxes that cut
-//! axis j into bj^kj, because the bases are pairwise coprime. Deterministic; star discrepancy O(log^d(n) / n).
+//! **Guarantees.** The first m of n points are the m points; of any b1^k1 ... bd^kd consecutive
+//! points one falls in each of the equal boxes that cut axis j into bj^kj, because the bases are
+//! pairwise coprime. Deterministic; star discrepancy O(log^d(n) / n).
 //!
 //! **Cost.** One integer division for each digit; the batch counts digits up instead.
 //!
-//! **Limits.** Axes with large bases are correlated until n is well over the product of their bases: the first 131 points of axes 32 and 33 lie on
-//! one line. Random permutations of the digits cure that. At most 256 dimensions. Digits that a `f64` cannot hold are dropped:
-//! indices below 2^42 lose nothing on any axis.
+//! **Limits.** Axes with large bases are correlated until n is well over the product of their
+//! bases: the first 131 points of axes 32 and 33 lie on one line. Random permutations of the digits
+//! cure that. At most 256 dimensions. Digits that a `f64` cannot hold are dropped: indices below
+//! 2^42 lose nothing on any axis.
 //!
-//! **Paper.** J. H. Halton, On the Efficiency of Certain Quasi-Random Sequences of Points in Evaluating Multi-Dimensional Integrals, Numer. Math. 2 (1960), doi 10.1007/BF01386213.
+//! **Paper.** J. H. Halton, On the Efficiency of Certain Quasi-Random Sequences of Points in
+//! Evaluating Multi-Dimensional Integrals, Numer. Math. 2 (1960), doi 10.1007/BF01386213.
 //!
 //! ```
 //! use workbook::samplers::halton::radical_inverse;
@@ -102,9 +106,11 @@ impl Digital for Halton {
     }
 }
 
-/// The radical inverse of `index` in base `base`, in [0, 1): the digits reversed as a whole number, then one division.
+/// The radical inverse of `index` in base `base`, in [0, 1): the digits reversed as a whole number,
+/// then one division.
 ///
-/// Summing a_k b^(-k-1) in floating point instead rounds at every term, and reaches 1 at last. A base below 2 counts as 2.
+/// Summing a_k b^(-k-1) in floating point instead rounds at every term, and reaches 1 at last. A
+/// base below 2 counts as 2.
 pub fn radical_inverse(index: u64, base: u32) -> f64 {
     let base = u64::from(base.max(2));
     let (mut rest, mut reversed, mut scale) = (index, 0, 1);

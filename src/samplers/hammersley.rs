@@ -1,17 +1,21 @@
 //! The Hammersley set: i/n beside radical inverses.
 //!
-//! **What.** The first axis has the fractions i/n, the axes behind it the radical inverses in the first d - 1 primes: one radical inverse fewer than Halton's.
+//! **What.** The first axis has the fractions i/n, the axes behind it the radical inverses in the
+//! first d - 1 primes: one radical inverse fewer than Halton's.
 //!
 //! **Formula.** x_i = (i/n, Phi_2(i), ..., Phi_p(i)) with p the (d-1)-th prime.
 //!
-//! **Guarantees.** Deterministic; star discrepancy O(log^(d-1)(n) / n). In two dimensions and for n = 2^m it is a (0, m, 2)-net of discrepancy (m/3 + 13/9 - (-1)^m 4/(9 2^m)) / 2^m.
+//! **Guarantees.** Deterministic; star discrepancy O(log^(d-1)(n) / n). In two dimensions and for
+//! n = 2^m it is a (0, m, 2)-net of discrepancy (m/3 + 13/9 - (-1)^m 4/(9 2^m)) / 2^m.
 //!
 //! **Cost.** As Halton's.
 //!
-//! **Limits.** A set, not a sequence: n must be known before the first point. At most 257 dimensions. Scrambled, the first axis counts as one of base b where n = b^m with the smallest such b, so that the
-//! shift or tree fits the net.
+//! **Limits.** A set, not a sequence: n must be known before the first point. At most 257
+//! dimensions. Scrambled, the first axis counts as one of base b where n = b^m with the smallest
+//! such b, so that the shift or tree fits the net.
 //!
-//! **Paper.** J. M. Hammersley, Monte Carlo Methods for Solving Multivariable Problems, Ann. N. Y. Acad. Sci. 86 (1960), doi 10.1111/j.1749-6632.1960.tb42846.x.
+//! **Paper.** J. M. Hammersley, Monte Carlo Methods for Solving Multivariable Problems, Ann. N. Y.
+//! Acad. Sci. 86 (1960), doi 10.1111/j.1749-6632.1960.tb42846.x.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, hammersley::Hammersley}, seed::Seed};
@@ -86,7 +90,8 @@ impl Sampler for Hammersley {
 
     fn digital(&self, n: usize, d: usize) -> Option<Box<dyn Digital>> {
         let (n, base) = (n as u64, smallest_root(n as u64)?);
-        // Other bases than 2 stop at the last digit of i / n: what follows is zeros, which a scramble takes as one.
+        // Other bases than 2 stop at the last digit of i / n: what follows is zeros, which a
+        // scramble takes as one.
         let first = if base == 2 { Radix::new(2) } else { Radix { base, digits: logarithm(n, base)?, scale: n } };
         let mut radices = vec![first];
         radices.extend(PRIMES.iter().take(d - 1).map(|&prime| Radix::new(prime)));

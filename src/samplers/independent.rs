@@ -1,15 +1,17 @@
 //! Independent uniform points: plain Monte Carlo.
 //!
-//! **What.** Every coordinate of every point is drawn on its own, uniformly on [0, 1). It is what every other sampler is measured against.
+//! **What.** Every coordinate of every point is drawn on its own, uniformly on [0, 1). It is what
+//! every other sampler is measured against.
 //!
-//! **Guarantees.** The first m of n points are the m points; unbiased, with Var\[mean\] = Var\[f\] / n for every square-integrable f, whatever its
-//! smoothness and whatever d.
+//! **Guarantees.** The first m of n points are the m points; unbiased, with Var\[mean\] = Var\[f\]
+//! / n for every square-integrable f, whatever its smoothness and whatever d.
 //!
 //! **Cost.** One xoshiro256++ word for each coordinate.
 //!
 //! **Limits.** Points clump and leave holes: the error falls like n^(-1/2) and no faster.
 //!
-//! **Paper.** N. Metropolis and S. Ulam, The Monte Carlo Method, J. Am. Stat. Assoc. 44 (1949), doi 10.1080/01621459.1949.10483310.
+//! **Paper.** N. Metropolis and S. Ulam, The Monte Carlo Method, J. Am. Stat. Assoc. 44 (1949), doi
+//! 10.1080/01621459.1949.10483310.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, independent::Independent}, seed::Seed};

@@ -1,19 +1,22 @@
 //! Jittered sampling: one random point in each cell of a regular grid.
 //!
-//! **What.** The unit cube is cut into n = k^d equal cells, and each gets one uniform point of its own. Cell i has the coordinates of i written in base k,
-//! the first axis fastest.
+//! **What.** The unit cube is cut into n = k^d equal cells, and each gets one uniform point of its
+//! own. Cell i has the coordinates of i written in base k, the first axis fastest.
 //!
 //! **Formula.** x_j = (c_j + u_j) / k, with c_j in 0..k and u_j uniform on [0, 1).
 //!
-//! **Guarantees.** One point in each cell; unbiased. The variance is never above that of independent points (no more than the variance within the cells is
-//! left), and falls like n^(-1-2/d) for smooth f, n^(-1-1/d) where f has an edge.
+//! **Guarantees.** One point in each cell; unbiased. The variance is never above that of
+//! independent points (no more than the variance within the cells is left), and falls like
+//! n^(-1-2/d) for smooth f, n^(-1-1/d) where f has an edge.
 //!
 //! **Cost.** One random number for each coordinate.
 //!
-//! **Limits.** n must be the d-th power of a whole number, any n for d = 1; n grows too fast with d for more than a few dimensions.
+//! **Limits.** n must be the d-th power of a whole number, any n for d = 1; n grows too fast with d
+//! for more than a few dimensions.
 //!
-//! **Papers.** R. L. Cook, Stochastic Sampling in Computer Graphics, ACM Trans. Graph. 5(1) (1986), doi 10.1145/7529.8927; the variance: S. Haber,
-//! Math. Comp. 20 (1966), doi 10.1090/S0025-5718-1966-0210285-0.
+//! **Papers.** R. L. Cook, Stochastic Sampling in Computer Graphics, ACM Trans. Graph. 5(1) (1986),
+//! doi 10.1145/7529.8927; the variance: S. Haber, Math. Comp. 20 (1966), doi
+//! 10.1090/S0025-5718-1966-0210285-0.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, jittered::Jittered}, seed::Seed};

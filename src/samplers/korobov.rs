@@ -1,16 +1,23 @@
 //! Korobov lattices: rank-1 lattices of the powers of one multiplier.
 //!
-//! **What.** All n points are multiples of one vector modulo 1, (1, a, a^2, ...) / n. The multiplier a is the best of up to 64 by the worst-case error of periodic functions.
+//! **What.** All n points are multiples of one vector modulo 1, (1, a, a^2, ...) / n. The
+//! multiplier a is the best of up to 64 by the worst-case error of periodic functions.
 //!
-//! **Formula.** x_i = (i (1, a, ..., a^(d-1)) mod n) / n; the criterion is P_2 = -1 + (1/n) sum over i, prod over j of (1 + 2 pi^2 B_2(x_ij)), with B_2(x) = x^2 - x + 1/6.
+//! **Formula.** x_i = (i (1, a, ..., a^(d-1)) mod n) / n; the criterion is P_2 = -1 + (1/n) sum
+//! over i, prod over j of (1 + 2 pi^2 B_2(x_ij)), with B_2(x) = x^2 - x + 1/6.
 //!
-//! **Guarantees.** One point in each slab of every axis, since a has no common divisor with n; deterministic. Errors of smooth periodic functions fall like n^(-2) up to logarithms.
+//! **Guarantees.** One point in each slab of every axis, since a has no common divisor with n;
+//! deterministic. Errors of smooth periodic functions fall like n^(-2) up to logarithms.
 //!
-//! **Cost.** The search evaluates P_2 in up to 4 dimensions for each candidate, over at most 4,096 points; then one multiplication for each coordinate.
+//! **Cost.** The search evaluates P_2 in up to 4 dimensions for each candidate, over at most 4,096
+//! points; then one multiplication for each coordinate.
 //!
-//! **Limits.** A set, not a sequence: n must be known. Only 64 multipliers, spread over 1 ... n, are tried. Needs a random shift for an error estimate.
+//! **Limits.** A set, not a sequence: n must be known. Only 64 multipliers, spread over 1 ... n,
+//! are tried. Needs a random shift for an error estimate.
 //!
-//! **Paper.** N. M. Korobov, The Approximate Computation of Multiple Integrals, Dokl. Akad. Nauk SSSR 124 (1959), 1207-1210; I. H. Sloan and S. Joe, Lattice Methods for Multiple Integration, Oxford 1994.
+//! **Paper.** N. M. Korobov, The Approximate Computation of Multiple Integrals, Dokl. Akad. Nauk
+//! SSSR 124 (1959), 1207-1210; I. H. Sloan and S. Joe, Lattice Methods for Multiple Integration,
+//! Oxford 1994.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, korobov::Korobov}, seed::Seed};

@@ -1,18 +1,24 @@
 //! The Kronecker sequence of the generalised golden ratio, called R2 in two dimensions.
 //!
-//! **What.** Every axis adds a constant step modulo 1. The steps are the powers of 1/g, with g the real root of g^(d+1) = g + 1: the golden ratio for d = 1, the plastic number
-//! for d = 2.
+//! **What.** Every axis adds a constant step modulo 1. The steps are the powers of 1/g, with g the
+//! real root of g^(d+1) = g + 1: the golden ratio for d = 1, the plastic number for d = 2.
 //!
-//! **Formula.** x_ij = ((i + 1) g^(-j)) mod 1, j = 1 ... d; the first point in two dimensions is (0.7548776662466927, 0.5698402909980532).
+//! **Formula.** x_ij = ((i + 1) g^(-j)) mod 1, j = 1 ... d; the first point in two dimensions is
+//! (0.7548776662466927, 0.5698402909980532).
 //!
-//! **Guarantees.** The first m of n points are the m points. Deterministic. In one dimension D* = O(log(n) / n); that it is low in more is seen, not proved.
+//! **Guarantees.** The first m of n points are the m points. Deterministic. In one dimension D* =
+//! O(log(n) / n); that it is low in more is seen, not proved.
 //!
-//! **Cost.** One multiplication of whole numbers for each coordinate: the steps are held as 64-bit fractions, so that no index loses digits.
+//! **Cost.** One multiplication of whole numbers for each coordinate: the steps are held as 64-bit
+//! fractions, so that no index loses digits.
 //!
-//! **Limits.** No strata: n equal cells do not hold one point each. At most 64 dimensions, and poor beyond a few, since g tends to 1.
+//! **Limits.** No strata: n equal cells do not hold one point each. At most 64 dimensions, and poor
+//! beyond a few, since g tends to 1.
 //!
-//! **Paper.** L. Kronecker's theorem; the choice of steps: M. Roberts, The Unreasonable Effectiveness of Quasirandom Sequences (2018),
-//! <https://extremelearning.com.au/unreasonable-effectiveness-of-quasirandom-sequences/>; for d = 1: L. Kuipers and H. Niederreiter, Uniform Distribution of Sequences, Wiley 1974.
+//! **Paper.** L. Kronecker's theorem; the choice of steps: M. Roberts, The Unreasonable
+//! Effectiveness of Quasirandom Sequences (2018),
+//! <https://extremelearning.com.au/unreasonable-effectiveness-of-quasirandom-sequences/>; for d =
+//! 1: L. Kuipers and H. Niederreiter, Uniform Distribution of Sequences, Wiley 1974.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, kronecker::Kronecker}, seed::Seed};
@@ -99,7 +105,8 @@ fn multiple(index: u64, step: u64) -> f64 {
 
 /// The steps g^-1 ... g^-d as fractions of 2^64.
 pub fn steps(d: usize) -> Vec<u64> {
-    // a = 1/g solves a + a^(d+1) ... = 1 in the form a^(d+1) + a^d = 1, whose left side grows with a: bisect its 64 bits.
+    // a = 1/g solves a + a^(d+1) ... = 1 in the form a^(d+1) + a^d = 1, whose left side grows with
+    // a: bisect its 64 bits.
     let product = |x: u64, y: u64| ((u128::from(x) * u128::from(y)) >> 64) as u64;
     let mut step = 0_u64;
     for bit in (0..64).rev() {

@@ -1,17 +1,21 @@
 //! The Larcher-Pillichshammer net.
 //!
-//! **What.** Beside the fractions i/n stands a digital coordinate whose matrix is full of ones above and on the diagonal: every digit of the index is added to all digits up to its own.
+//! **What.** Beside the fractions i/n stands a digital coordinate whose matrix is full of ones
+//! above and on the diagonal: every digit of the index is added to all digits up to its own.
 //!
 //! **Formula.** x_i = (i/n, LP(i)) with C\[r\]\[c\] = 1 for r <= c, n = 2^m.
 //!
-//! **Guarantees.** A (0, m, 2)-net in base 2, of lower star discrepancy than Hammersley's. Deterministic.
+//! **Guarantees.** A (0, m, 2)-net in base 2, of lower star discrepancy than Hammersley's.
+//! Deterministic.
 //!
 //! **Cost.** One XOR and shift for each bit of the index.
 //!
-//! **Limits.** n = 2^m and two dimensions. It is a *net*, not a sequence: (Phi_2(i), LP(i)) has t = m - 2, and its discrepancy stalls near 1/8.
+//! **Limits.** n = 2^m and two dimensions. It is a *net*, not a sequence: (Phi_2(i), LP(i)) has t =
+//! m - 2, and its discrepancy stalls near 1/8.
 //!
-//! **Paper.** G. Larcher and F. Pillichshammer, Walsh Series Analysis of the L2-Discrepancy of Symmetrisized Point Sets, Monatsh. Math. 132 (2001), doi 10.1007/s006050170054; in graphics: T. Kollig and
-//! A. Keller (2002), doi 10.1111/1467-8659.00706.
+//! **Paper.** G. Larcher and F. Pillichshammer, Walsh Series Analysis of the L2-Discrepancy of
+//! Symmetrisized Point Sets, Monatsh. Math. 132 (2001), doi 10.1007/s006050170054; in graphics: T.
+//! Kollig and A. Keller (2002), doi 10.1111/1467-8659.00706.
 //!
 //! ```
 //! use workbook::samplers::larcher_pillichshammer::ones;
@@ -103,7 +107,8 @@ impl Digital for Set {
     }
 }
 
-/// The 53 digits, as a whole number, of the second coordinate: bit c of the index flips the digits 0 to c.
+/// The 53 digits, as a whole number, of the second coordinate: bit c of the index flips the digits
+/// 0 to c.
 pub fn ones(index: u64) -> u64 {
     let (mut rest, mut column, mut digits) = (index, 1 << 52, 0);
     while rest > 0 {

@@ -1,19 +1,24 @@
 //! Latin hypercube sampling: on every axis one point in each of n slabs.
 //!
-//! **What.** Each axis is cut into n slabs; each slab gets one point, and the slabs are dealt to the points by a random permutation of its own for each axis,
-//! as rooks that do not attack each other.
+//! **What.** Each axis is cut into n slabs; each slab gets one point, and the slabs are dealt to
+//! the points by a random permutation of its own for each axis, as rooks that do not attack each
+//! other.
 //!
-//! **Formula.** x_ij = (p_j(i) + u_ij) / n, with p_j random permutations of 0..n and u_ij uniform on [0, 1), all independent.
+//! **Formula.** x_ij = (p_j(i) + u_ij) / n, with p_j random permutations of 0..n and u_ij uniform
+//! on [0, 1), all independent.
 //!
-//! **Guarantees.** One point in each slab of every axis; unbiased. The variance of a sum of functions of one variable each falls like n^(-3); for any f it is at most
-//! n / (n - 1) times that of independent points (Owen 1997).
+//! **Guarantees.** One point in each slab of every axis; unbiased. The variance of a sum of
+//! functions of one variable each falls like n^(-3); for any f it is at most n / (n - 1) times that
+//! of independent points (Owen 1997).
 //!
 //! **Cost.** Two random numbers for each coordinate.
 //!
-//! **Limits.** What depends on two axes together, such as the product xy, keeps the rate n^(-1) of independent points. No prefix is Latin.
+//! **Limits.** What depends on two axes together, such as the product xy, keeps the rate n^(-1) of
+//! independent points. No prefix is Latin.
 //!
-//! **Papers.** M. D. McKay, R. J. Beckman and W. J. Conover, Technometrics 21(2) (1979), doi 10.1080/00401706.1979.10489755; in graphics, as N-rooks: P. Shirley, Discrepancy as a Quality Measure
-//! for Sample Distributions, Eurographics 1991, doi 10.2312/egtp.19911013.
+//! **Papers.** M. D. McKay, R. J. Beckman and W. J. Conover, Technometrics 21(2) (1979), doi
+//! 10.1080/00401706.1979.10489755; in graphics, as N-rooks: P. Shirley, Discrepancy as a Quality
+//! Measure for Sample Distributions, Eurographics 1991, doi 10.2312/egtp.19911013.
 //!
 //! ```
 //! use workbook::{points::slab, samplers::{Sampler, latin_hypercube::LatinHypercube}, seed::Seed};

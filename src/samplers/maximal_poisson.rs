@@ -1,18 +1,25 @@
 //! Maximal Poisson disks: dart throwing until nothing more fits, on the torus.
 //!
-//! **What.** Darts fall only into the cells of a grid that are not yet covered. After each round the cells that no single disk covers are cut into four; what is left shrinks
-//! until no uncovered cell remains: then no further point fits anywhere.
+//! **What.** Darts fall only into the cells of a grid that are not yet covered. After each round
+//! the cells that no single disk covers are cut into four; what is left shrinks until no uncovered
+//! cell remains: then no further point fits anywhere.
 //!
-//! **Formula.** Base cells have a diagonal of at most the radius, so that each holds at most one point; a cell is dropped when one disk covers its farthest corner.
+//! **Formula.** Base cells have a diagonal of at most the radius, so that each holds at most one
+//! point; a cell is dropped when one disk covers its farthest corner.
 //!
-//! **Guarantees.** No two points are nearer on the torus than 0.65 of the largest possible distance; unbiased. The disks of half the radius cover 0.547 of the torus, and the relative radius tends to 0.7767.
+//! **Guarantees.** No two points are nearer on the torus than 0.65 of the largest possible
+//! distance; unbiased. The disks of half the radius cover 0.547 of the torus, and the relative
+//! radius tends to 0.7767.
 //!
-//! **Cost.** Linear in n for each run; the radius is corrected over several runs until a run ends with exactly n points.
+//! **Cost.** Linear in n for each run; the radius is corrected over several runs until a run ends
+//! with exactly n points.
 //!
-//! **Limits.** Two dimensions. If eight runs miss n, the nearest larger one loses its surplus at random, and is maximal no more.
+//! **Limits.** Two dimensions. If eight runs miss n, the nearest larger one loses its surplus at
+//! random, and is maximal no more.
 //!
-//! **Paper.** M. S. Ebeida, S. A. Mitchell, A. Patney, A. A. Davidson and J. D. Owens, A Simple Algorithm for Maximal Poisson-Disk Sampling in High Dimensions, Comput. Graph. Forum 31(2) (2012), doi
-//! 10.1111/j.1467-8659.2012.03059.x.
+//! **Paper.** M. S. Ebeida, S. A. Mitchell, A. Patney, A. A. Davidson and J. D. Owens, A Simple
+//! Algorithm for Maximal Poisson-Disk Sampling in High Dimensions, Comput. Graph. Forum 31(2)
+//! (2012), doi 10.1111/j.1467-8659.2012.03059.x.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, maximal_poisson::MaximalPoisson}, seed::Seed};
@@ -66,7 +73,8 @@ impl Sampler for MaximalPoisson {
     }
 }
 
-/// The finest level of cells: what is left uncovered below it is smaller than the rounding of a coordinate.
+/// The finest level of cells: what is left uncovered below it is smaller than the rounding of a
+/// coordinate.
 const FINEST: u32 = 40;
 
 /// A square cell: its lower corner in units of its side.
@@ -99,11 +107,13 @@ pub fn saturate(radius: f64, random: &mut Random) -> Vec<Place> {
     buckets.places().to_vec()
 }
 
-/// Whether the disk of the point nearest to its centre covers the whole cell, one of `count` a side.
+/// Whether the disk of the point nearest to its centre covers the whole cell, one of `count` a
+/// side.
 fn is_covered(buckets: &Buckets, cell: Cell, count: u64, radius: f64) -> bool {
     let side = 1.0 / count as f64;
     let centre = cell.map(|corner| (corner as f64 + 0.5) * side);
-    // The disk around the nearest point reaches at least as far as any other around this centre; the corner is half a diagonal away.
+    // The disk around the nearest point reaches at least as far as any other around this centre;
+    // the corner is half a diagonal away.
     let farthest = buckets.nearest(centre).sqrt() + side * 0.5_f64.sqrt();
     farthest < radius
 }

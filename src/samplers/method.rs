@@ -173,13 +173,16 @@ impl Method {
         kept.chain(scramble.is_random().then_some(Guarantee::Unbiased)).collect()
     }
 
-    /// The net that [`Guarantee::Whole`] promises of all `n` points in `d` dimensions, if it is promised.
+    /// The net that [`Guarantee::Whole`] promises of all `n` points in `d` dimensions, if it is
+    /// promised.
     pub fn whole_net(&self, n: usize, d: usize) -> Option<Net> {
         self.guarantees().contains(&Guarantee::Whole).then(|| self.sampler.whole_net(n, d)).flatten()
     }
 
-    /// Random access: coordinate `axis < d` of point `index`, the same bits as in [`points`](Self::points); `None` where n or d are not admitted, or
-    /// where the points depend on each other. Sequences, which promise [`Guarantee::Prefix`], heed no n, and give every index; sets give those below n.
+    /// Random access: coordinate `axis < d` of point `index`, the same bits as in
+    /// [`points`](Self::points); `None` where n or d are not admitted, or where the points depend
+    /// on each other. Sequences, which promise [`Guarantee::Prefix`], heed no n, and give every
+    /// index; sets give those below n.
     ///
     /// ```
     /// use workbook::{samplers::Method, seed::Seed};

@@ -1,8 +1,9 @@
 //! The samplers: how points are placed in the unit cube. One file each, and one catalogue.
 //!
-//! A sampler *declares* what it guarantees; the battery in `tests/` holds it to each declaration over many n, d and seeds. Those whose
-//! coordinates are made of digits expose them as [`Digital`], which is what the scrambles of [`crate::scrambles`] work on. A [`Method`] is a
-//! sampler with or without a scramble, by name: `sobol+xor`.
+//! A sampler *declares* what it guarantees; the battery in `tests/` holds it to each declaration
+//! over many n, d and seeds. Those whose coordinates are made of digits expose them as [`Digital`],
+//! which is what the scrambles of [`crate::scrambles`] work on. A [`Method`] is a sampler with or
+//! without a scramble, by name: `sobol+xor`.
 
 use crate::catalogue::Entry;
 use crate::points::Points;
@@ -99,13 +100,14 @@ pub trait Sampler: Entry + Sync {
         None
     }
 
-    /// Into how many slabs each axis is cut for the cells of [`Guarantee::Strata`]; `n` and `d` are admitted.
+    /// Into how many slabs each axis is cut for the cells of [`Guarantee::Strata`]; `n` and `d` are
+    /// admitted.
     fn strata(&self, n: usize, d: usize) -> Vec<usize> {
         vec![digits::root(n as u64, d as u32) as usize; d]
     }
 
-    /// Coordinate `axis` of point `index`, pure by position, for the `n` points of `d` dimensions that `seed` gives; `None` where points
-    /// depend on each other. Sequences heed no n.
+    /// Coordinate `axis` of point `index`, pure by position, for the `n` points of `d` dimensions
+    /// that `seed` gives; `None` where points depend on each other. Sequences heed no n.
     fn at(&self, n: usize, d: usize, _seed: Seed) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
         let digital = self.digital(n, d)?;
         Some(Box::new(move |index, axis| digital.radix(axis).coordinate(digital.numerator(index, axis))))
@@ -121,18 +123,21 @@ pub trait Sampler: Entry + Sync {
         true
     }
 
-    /// The digits of its coordinates for `n` points of `d` dimensions, both admitted; `None` where there are none.
+    /// The digits of its coordinates for `n` points of `d` dimensions, both admitted; `None` where
+    /// there are none.
     fn digital(&self, _n: usize, _d: usize) -> Option<Box<dyn Digital>> {
         None
     }
 }
 
-/// Points by their digits: every coordinate is a whole number over a power of its axis' base. Pure by position.
+/// Points by their digits: every coordinate is a whole number over a power of its axis' base. Pure
+/// by position.
 pub trait Digital: Send + Sync {
     /// The base of the axis `axis`, with the number of digits.
     fn radix(&self, axis: usize) -> Radix;
 
-    /// The numerator, over `radix(axis).scale`, of the coordinate of point `index` on the axis `axis < d`.
+    /// The numerator, over `radix(axis).scale`, of the coordinate of point `index` on the axis
+    /// `axis < d`.
     fn numerator(&self, index: u64, axis: usize) -> u64;
 
     /// Whether the numerators on `axis` are the radical inverses of the index in its base.
@@ -140,7 +145,8 @@ pub trait Digital: Send + Sync {
         false
     }
 
-    /// The numerators of points `first`, `first + 1`, ... on one axis: the same as one by one, but faster.
+    /// The numerators of points `first`, `first + 1`, ... on one axis: the same as one by one, but
+    /// faster.
     fn numerators(&self, first: u64, axis: usize, out: &mut [u64]) {
         for (index, numerator) in (first..).zip(out) {
             *numerator = self.numerator(index, axis);
@@ -159,7 +165,8 @@ pub enum Digits {
     Mixed,
 }
 
-/// The parameters of a (t, m, d)-net: of b^m points, every elementary interval of volume b^(t - m) holds b^t.
+/// The parameters of a (t, m, d)-net: of b^m points, every elementary interval of volume b^(t - m)
+/// holds b^t.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Net {
     /// The base b.
@@ -178,11 +185,13 @@ pub enum Guarantee {
     Latin,
     /// One point in each cell of the grid of n equal cells.
     Strata,
-    /// Every aligned block of b^m points is a (t, m, d)-net in base b, with the parameters of [`Sampler::net`].
+    /// Every aligned block of b^m points is a (t, m, d)-net in base b, with the parameters of
+    /// [`Sampler::net`].
     Net,
     /// All n points together are a (t, m, d)-net, with the parameters of [`Sampler::whole_net`].
     Whole,
-    /// Of any consecutive b1^k1 ... bd^kd points, one falls in each of the equal boxes that cut axis j into bj^kj.
+    /// Of any consecutive b1^k1 ... bd^kd points, one falls in each of the equal boxes that cut
+    /// axis j into bj^kj.
     Boxes,
     /// One point in each cell of the square grid of the axes 2p and 2p + 1, for every p.
     Pairs,
@@ -191,7 +200,8 @@ pub enum Guarantee {
         /// The number of axes t.
         t: u32,
     },
-    /// No two points are nearer on the torus than so many per cent of the largest possible distance.
+    /// No two points are nearer on the torus than so many per cent of the largest possible
+    /// distance.
     Separated {
         /// The relative radius in per cent.
         percent: u32,

@@ -1,18 +1,23 @@
 //! Multi-jittered sampling: a jittered grid whose points are also n rooks.
 //!
-//! **What.** The square has columns x rows cells with one point each; every column of cells is cut into as many thin slabs as it has cells, and its points take one slab each, in
-//! random order; the same for the rows.
+//! **What.** The square has columns x rows cells with one point each; every column of cells is cut
+//! into as many thin slabs as it has cells, and its points take one slab each, in random order; the
+//! same for the rows.
 //!
-//! **Formula.** With m columns and k rows, n = m k: x = (i + (p_i(j) + u) / k) / m and y = (j + (q_j(i) + v) / m) / k, with random permutations p_i of 0..k for each column i and q_j of 0..m for each
-//! row j.
+//! **Formula.** With m columns and k rows, n = m k: x = (i + (p_i(j) + u) / k) / m and y = (j +
+//! (q_j(i) + v) / m) / k, with random permutations p_i of 0..k for each column i and q_j of 0..m
+//! for each row j.
 //!
 //! **Guarantees.** One point in each cell, and one in each of the n slabs of both axes; unbiased.
 //!
 //! **Cost.** Four random numbers for each point.
 //!
-//! **Limits.** Two dimensions (or one, where it is jittered sampling); n = columns x rows with rows <= columns <= 2 rows. Beware of whole-number division: i / m as integers crowds every x into the first column.
+//! **Limits.** Two dimensions (or one, where it is jittered sampling); n = columns x rows with rows
+//! <= columns <= 2 rows. Beware of whole-number division: i / m as integers crowds every x into the
+//! first column.
 //!
-//! **Paper.** K. Chiu, P. Shirley and C. Wang, Multi-Jittered Sampling, Graphics Gems IV (1994), 370-374, doi 10.1016/B978-0-12-336156-1.50045-8.
+//! **Paper.** K. Chiu, P. Shirley and C. Wang, Multi-Jittered Sampling, Graphics Gems IV (1994),
+//! 370-374, doi 10.1016/B978-0-12-336156-1.50045-8.
 //!
 //! ```
 //! use workbook::{points::slab, samplers::{Sampler, multi_jittered::MultiJittered}, seed::Seed};
@@ -71,7 +76,8 @@ impl Sampler for MultiJittered {
             let across = n / own;
             for stratum in 0..own {
                 for (k, slab) in random.permutation(across).into_iter().enumerate() {
-                    // The cell in column i and row j is number i + columns j, whichever axis is walked along.
+                    // The cell in column i and row j is number i + columns j, whichever axis is
+                    // walked along.
                     let cell = if axis == 0 { stratum + own * k } else { k + across * stratum };
                     coordinates[cell * d + axis] = within((stratum * across + slab) as u64, n as u64, random.uniform());
                 }

@@ -1,18 +1,22 @@
 //! Orthogonal arrays of strength 2, after Bose, as Latin hypercubes.
 //!
-//! **What.** n = p^2 runs over p symbols for p prime, such that any two columns show each pair of symbols once. The symbols of each axis are shuffled; the p points of one symbol take the p thin slabs
-//! inside it, one each, in random order.
+//! **What.** n = p^2 runs over p symbols for p prime, such that any two columns show each pair of
+//! symbols once. The symbols of each axis are shuffled; the p points of one symbol take the p thin
+//! slabs inside it, one each, in random order.
 //!
 //! **Formula.** Run (a, b) has the symbols a, b, a + b, a + 2b, ..., a + (p - 1) b modulo p.
 //!
-//! **Guarantees.** One point in each cell of the p x p grid of every pair of axes; one in each of the n slabs of every axis; unbiased. The variance loses all one- and two-dimensional parts of f.
+//! **Guarantees.** One point in each cell of the p x p grid of every pair of axes; one in each of
+//! the n slabs of every axis; unbiased. The variance loses all one- and two-dimensional parts of f.
 //!
 //! **Cost.** A few random numbers for each coordinate.
 //!
 //! **Limits.** n = p^2 for a prime p, d <= p + 1. No prefix has the property.
 //!
-//! **Papers.** R. C. Bose, On the Application of the Properties of Galois Fields to the Problem of Construction of Hyper-Graeco-Latin Squares, Sankhya 3 (1938); B. Tang, Orthogonal Array-Based Latin Hypercubes (1993),
-//! doi 10.1080/01621459.1993.10476423; in graphics: W. Jarosz et al. (2019), doi 10.1111/cgf.13777.
+//! **Papers.** R. C. Bose, On the Application of the Properties of Galois Fields to the Problem of
+//! Construction of Hyper-Graeco-Latin Squares, Sankhya 3 (1938); B. Tang, Orthogonal Array-Based
+//! Latin Hypercubes (1993), doi 10.1080/01621459.1993.10476423; in graphics: W. Jarosz et al.
+//! (2019), doi 10.1111/cgf.13777.
 //!
 //! ```
 //! use workbook::samplers::orthogonal_array::symbol;
@@ -101,7 +105,8 @@ pub fn symbol(run: usize, axis: usize, s: usize) -> usize {
     }
 }
 
-/// One axis: the symbols of all runs, renamed at random, become slabs, and the runs of one symbol share its thin slabs out among them.
+/// One axis: the symbols of all runs, renamed at random, become slabs, and the runs of one symbol
+/// share its thin slabs out among them.
 pub fn deal(symbols: &[usize], s: usize, random: &mut Random) -> Vec<f64> {
     let n = symbols.len();
     let names = random.permutation(s);

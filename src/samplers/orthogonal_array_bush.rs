@@ -1,17 +1,20 @@
 //! Orthogonal arrays of strength 3, after Bush, as Latin hypercubes.
 //!
-//! **What.** n = p^3 runs over p symbols for p prime: the runs are the polynomials of degree at most 2 over the integers modulo p, the columns their values. Any three columns show each triple of
-//! symbols once. Symbols and thin slabs are shuffled as in the array of Bose.
+//! **What.** n = p^3 runs over p symbols for p prime: the runs are the polynomials of degree at
+//! most 2 over the integers modulo p, the columns their values. Any three columns show each triple
+//! of symbols once. Symbols and thin slabs are shuffled as in the array of Bose.
 //!
 //! **Formula.** Run (a, b, c) has on axis j the symbol a + b j + c j^2 modulo p.
 //!
-//! **Guarantees.** One point in each cell of the p x p x p grid of every three axes, hence p in each cell of every pair; one in each of the n slabs of every axis; unbiased.
+//! **Guarantees.** One point in each cell of the p x p x p grid of every three axes, hence p in
+//! each cell of every pair; one in each of the n slabs of every axis; unbiased.
 //!
 //! **Cost.** A few random numbers for each coordinate.
 //!
 //! **Limits.** n = p^3 for a prime p, d <= p.
 //!
-//! **Paper.** K. A. Bush, Orthogonal Arrays of Index Unity, Ann. Math. Statist. 23(3) (1952), doi 10.1214/aoms/1177729387; the hypercube: B. Tang (1993), doi 10.1080/01621459.1993.10476423.
+//! **Paper.** K. A. Bush, Orthogonal Arrays of Index Unity, Ann. Math. Statist. 23(3) (1952), doi
+//! 10.1214/aoms/1177729387; the hypercube: B. Tang (1993), doi 10.1080/01621459.1993.10476423.
 //!
 //! ```
 //! use workbook::samplers::orthogonal_array_bush::symbol;
@@ -83,7 +86,8 @@ impl Sampler for OrthogonalArrayBush {
     }
 }
 
-/// The symbol of run `run = a s^2 + b s + c` on the axis `axis < s`, for a prime number s of symbols.
+/// The symbol of run `run = a s^2 + b s + c` on the axis `axis < s`, for a prime number s of
+/// symbols.
 pub fn symbol(run: usize, axis: usize, s: usize) -> usize {
     let (a, b, c) = (run / s / s, run / s % s, run % s);
     (a + (b + c * axis % s) * axis) % s

@@ -1,16 +1,20 @@
 //! Padding: stratified in each pair of axes, shuffled between the pairs.
 //!
-//! **What.** The axes are taken two by two. Each pair gets a jittered set of n = k^2 points in an order of its own, shuffled at random; an odd last axis gets one point in each of n slabs.
+//! **What.** The axes are taken two by two. Each pair gets a jittered set of n = k^2 points in an
+//! order of its own, shuffled at random; an odd last axis gets one point in each of n slabs.
 //!
-//! **Formula.** Pair p of point i is the jittered point number s_p(i), with s_p random permutations of 0..n.
+//! **Formula.** Pair p of point i is the jittered point number s_p(i), with s_p random permutations
+//! of 0..n.
 //!
 //! **Guarantees.** Unbiased; every pair (2p, 2p + 1) has one point in each cell of the k x k grid.
 //!
 //! **Cost.** A random number for each coordinate and one for each pair.
 //!
-//! **Limits.** n = k^2. Between pairs there is no stratification at all: what depends on axes of two pairs keeps the rate of independent points. It is how renderers sample lens, time and light.
+//! **Limits.** n = k^2. Between pairs there is no stratification at all: what depends on axes of
+//! two pairs keeps the rate of independent points. It is how renderers sample lens, time and light.
 //!
-//! **Paper.** R. L. Cook, T. Porter and L. Carpenter, Distributed Ray Tracing, SIGGRAPH 1984, doi 10.1145/800031.808590.
+//! **Paper.** R. L. Cook, T. Porter and L. Carpenter, Distributed Ray Tracing, SIGGRAPH 1984, doi
+//! 10.1145/800031.808590.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, padded_jittered::PaddedJittered}, seed::Seed};

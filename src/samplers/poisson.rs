@@ -1,11 +1,13 @@
-//! What the Poisson-disk samplers share: distances on the torus, buckets of points, and the search for a radius that gives n points.
+//! What the Poisson-disk samplers share: distances on the torus, buckets of points, and the search
+//! for a radius that gives n points.
 
 use crate::seed::{Random, Seed};
 
 /// A point of the unit torus.
 pub type Place = [f64; 2];
 
-/// The largest distance that n points of the unit torus can keep: that of a hexagonal lattice, sqrt(2 / (sqrt(3) n)).
+/// The largest distance that n points of the unit torus can keep: that of a hexagonal lattice,
+/// sqrt(2 / (sqrt(3) n)).
 pub fn hexagonal(n: usize) -> f64 {
     (2.0 / (3.0_f64.sqrt() * n as f64)).sqrt()
 }
@@ -90,7 +92,8 @@ impl Buckets {
         best
     }
 
-    /// The smallest squared distance to a point at most `reach` buckets away, or anything below `enough`.
+    /// The smallest squared distance to a point at most `reach` buckets away, or anything below
+    /// `enough`.
     fn smallest(&self, place: Place, reach: usize, enough: f64) -> f64 {
         let mut best = f64::INFINITY;
         for ring in 0..=reach {
@@ -102,7 +105,8 @@ impl Buckets {
         best
     }
 
-    /// The smaller of `best` and the squared distances to points in the square ring of buckets `ring` away.
+    /// The smaller of `best` and the squared distances to points in the square ring of buckets
+    /// `ring` away.
     fn ring(&self, place: Place, ring: usize, best: f64) -> f64 {
         let (column, row) = (self.row(place[0]), self.row(place[1]));
         let span = 2 * ring;
@@ -132,8 +136,9 @@ pub fn uniform(random: &mut Random) -> Place {
 /// Runs of an algorithm, whose count varies, until one gives `n` points.
 const RUNS: u64 = 8;
 
-/// Exactly `n` points by `run(radius, random)`, whose count falls as the radius grows: the radius is corrected from run to run. Where no run hits `n`, the one that came nearest from
-/// above loses what is too much, at random places of its order, which keeps all distances.
+/// Exactly `n` points by `run(radius, random)`, whose count falls as the radius grows: the radius
+/// is corrected from run to run. Where no run hits `n`, the one that came nearest from above loses
+/// what is too much, at random places of its order, which keeps all distances.
 pub fn exactly(n: usize, seed: Seed, share: f64, run: impl Fn(f64, &mut Random) -> Vec<Place>) -> Vec<Place> {
     let mut radius = share * hexagonal(n);
     let mut best: Vec<Place> = Vec::new();

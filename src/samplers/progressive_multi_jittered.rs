@@ -1,18 +1,26 @@
 //! Progressive multi-jittered (0,2) sequences.
 //!
-//! **What.** A random sequence of the plane of which every aligned block of 2^m points is stratified in all dyadic boxes. Building it point by point with random choices and making an Owen
-//! scrambling of the (0,2)-sequence give the same distribution; this is the second way, which needs no search.
+//! **What.** A random sequence of the plane of which every aligned block of 2^m points is
+//! stratified in all dyadic boxes. Building it point by point with random choices and making an
+//! Owen scrambling of the (0,2)-sequence give the same distribution; this is the second way, which
+//! needs no search.
 //!
-//! **Formula.** Point i is the (0,2)-point of index i with both coordinates under nested uniform scrambling.
+//! **Formula.** Point i is the (0,2)-point of index i with both coordinates under nested uniform
+//! scrambling.
 //!
-//! **Guarantees.** The first m of n points are the m points; every aligned block of 2^m points is a (0, m, 2)-net in base 2; unbiased.
+//! **Guarantees.** The first m of n points are the m points; every aligned block of 2^m points is a
+//! (0, m, 2)-net in base 2; unbiased.
 //!
 //! **Cost.** 32 hashes for each coordinate.
 //!
-//! **Limits.** One or two dimensions. Candidates are not picked for distance, as the "best-candidate" variants of the paper do.
+//! **Limits.** One or two dimensions. Candidates are not picked for distance, as the
+//! "best-candidate" variants of the paper do.
 //!
-//! **Papers.** P. Christensen, A. Kensler and C. Kilpatrick, Progressive Multi-Jittered Sample Sequences (2018), doi 10.1111/cgf.13472; as scrambled sequences: M. Pharr, Efficient Generation of Points that Satisfy
-//! Two-Dimensional Elementary Intervals (2019); A. Helmer, P. Christensen and A. Kensler, Stochastic Generation of (t, s) Sample Sequences (2021), doi 10.2312/sr.20211287.
+//! **Papers.** P. Christensen, A. Kensler and C. Kilpatrick, Progressive Multi-Jittered Sample
+//! Sequences (2018), doi 10.1111/cgf.13472; as scrambled sequences: M. Pharr, Efficient Generation
+//! of Points that Satisfy Two-Dimensional Elementary Intervals (2019); A. Helmer, P. Christensen
+//! and A. Kensler, Stochastic Generation of (t, s) Sample Sequences (2021), doi
+//! 10.2312/sr.20211287.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, progressive_multi_jittered::ProgressiveMultiJittered}, seed::Seed};

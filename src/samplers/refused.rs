@@ -75,7 +75,8 @@ impl Display for Refused {
 
 impl std::error::Error for Refused {}
 
-/// Checks what holds for every sampler: n and d at least 1, d at most `most`, n x d at most [`MOST_COORDINATES`].
+/// Checks what holds for every sampler: n and d at least 1, d at most `most`, n x d at most
+/// [`MOST_COORDINATES`].
 pub(super) fn check(n: usize, d: usize, most: usize) -> Result<(), Refused> {
     if d == 0 || d > most {
         return Err(Refused::Dimensions { d, least: 1, most });
@@ -101,7 +102,8 @@ pub(super) fn power(n: usize, d: usize) -> Result<(), Refused> {
     Err(Refused::Count { n, below: power(k).filter(|&n| n > 0), above: power(k + 1), rule: "k^d for a whole number k" })
 }
 
-/// As [`check`] for at most two dimensions; in two, n must be that of a grid of columns x rows that is nearly square.
+/// As [`check`] for at most two dimensions; in two, n must be that of a grid of columns x rows that
+/// is nearly square.
 pub(super) fn sides(n: usize, d: usize) -> Result<(), Refused> {
     check(n, d, 2)?;
     let fits = |n: &usize| digits::sides(*n).is_some();
@@ -137,7 +139,8 @@ pub(super) fn plane(n: usize, d: usize) -> Result<(), Refused> {
     if n > MOST { Err(Refused::Count { n, below: Some(MOST), above: None, rule: "at most 16777216" }) } else { Ok(()) }
 }
 
-/// Room for `n x d` coordinates, all zero, once `n` and `d` have been checked; refused rather than aborted where memory is short.
+/// Room for `n x d` coordinates, all zero, once `n` and `d` have been checked; refused rather than
+/// aborted where memory is short.
 pub(crate) fn allocate(n: usize, d: usize) -> Result<Vec<f64>, Refused> {
     let refused = Refused::Memory { n, d, most: MOST_COORDINATES };
     let size = n.checked_mul(d).filter(|&size| size <= MOST_COORDINATES).ok_or(refused.clone())?;

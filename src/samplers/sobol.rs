@@ -1,20 +1,26 @@
 //! Sobol's sequence with the direction numbers of Joe and Kuo.
 //!
-//! **What.** Each axis has a binary generator matrix; point i is the sum without carries (XOR) of the columns at the set bits of i, in natural order, not that of
-//! a Gray code. Point 0, the origin, stays: without it the first 2^m points are no net (Owen 2020).
+//! **What.** Each axis has a binary generator matrix; point i is the sum without carries (XOR) of
+//! the columns at the set bits of i, in natural order, not that of a Gray code. Point 0, the
+//! origin, stays: without it the first 2^m points are no net (Owen 2020).
 //!
-//! **Formula.** With a primitive polynomial z^s + a_1 z^(s-1) + ... + a_(s-1) z + 1 over the field of two elements and odd m_1 ... m_s, m_k < 2^k:
-//! m_k = 2 a_1 m_(k-1) XOR ... XOR 2^(s-1) a_(s-1) m_(k-s+1) XOR 2^s m_(k-s) XOR m_(k-s), and column k is m_k 2^(-k).
+//! **Formula.** With a primitive polynomial z^s + a_1 z^(s-1) + ... + a_(s-1) z + 1 over the field
+//! of two elements and odd m_1 ... m_s, m_k < 2^k: m_k = 2 a_1 m_(k-1) XOR ... XOR 2^(s-1) a_(s-1)
+//! m_(k-s+1) XOR 2^s m_(k-s) XOR m_(k-s), and column k is m_k 2^(-k).
 //!
-//! **Guarantees.** The first m of n points are the m points; every aligned block of 2^m points is a (t, m, d)-net in base 2, with t the sum of (s - 1) over the axes:
-//! 0 in one and two dimensions, 1 in three. Deterministic.
+//! **Guarantees.** The first m of n points are the m points; every aligned block of 2^m points is a
+//! (t, m, d)-net in base 2, with t the sum of (s - 1) over the axes: 0 in one and two dimensions, 1
+//! in three. Deterministic.
 //!
 //! **Cost.** One XOR for each coordinate of a batch, one for each set bit of the index at random.
 //!
-//! **Limits.** At most 256 dimensions. Its rates need n = 2^m. Some pairs of late axes are poor until n is large.
+//! **Limits.** At most 256 dimensions. Its rates need n = 2^m. Some pairs of late axes are poor
+//! until n is large.
 //!
-//! **Papers.** I. M. Sobol', USSR Comput. Math. Math. Phys. 7(4) (1967), doi 10.1016/0041-5553(67)90144-9; S. Joe and F. Y. Kuo, SIAM J. Sci. Comput. 30 (2008), doi
-//! 10.1137/070709359; point 0: A. B. Owen, On Dropping the First Sobol' Point (2020), arXiv 2008.08051.
+//! **Papers.** I. M. Sobol', USSR Comput. Math. Math. Phys. 7(4) (1967), doi
+//! 10.1016/0041-5553(67)90144-9; S. Joe and F. Y. Kuo, SIAM J. Sci. Comput. 30 (2008), doi
+//! 10.1137/070709359; point 0: A. B. Owen, On Dropping the First Sobol' Point (2020), arXiv
+//! 2008.08051.
 //!
 //! ```
 //! use workbook::samplers::sobol::sobol;
@@ -37,7 +43,8 @@ const DIGITS: usize = 53;
 /// The table of Joe and Kuo; its licence lies beside it.
 const TABLE: &str = include_str!("data/joe_kuo.txt");
 
-/// For each axis the columns of its generator matrix, as whole numbers below 2^53 whose first digit is the highest bit; and the degree of its polynomial.
+/// For each axis the columns of its generator matrix, as whole numbers below 2^53 whose first digit
+/// is the highest bit; and the degree of its polynomial.
 static MATRICES: [([u64; DIGITS], u32); MOST_DIMENSIONS] = matrices(TABLE.as_bytes());
 
 /// The sampler `sobol`, and its digits.
@@ -134,7 +141,8 @@ pub fn sobol(index: u64, axis: usize) -> f64 {
     sobol_bits(index, axis) as f64 * GRAIN
 }
 
-/// The 53 binary digits of that coordinate, as a whole number: the XOR of the matrix' columns at the set bits of the index.
+/// The 53 binary digits of that coordinate, as a whole number: the XOR of the matrix' columns at
+/// the set bits of the index.
 #[inline]
 pub fn sobol_bits(index: u64, axis: usize) -> u64 {
     let columns = &MATRICES[axis].0;
@@ -147,7 +155,8 @@ pub fn sobol_bits(index: u64, axis: usize) -> u64 {
     bits
 }
 
-/// For each axis and each group of four index bits, the XOR of the columns at the set bits: 32 digits, the first highest.
+/// For each axis and each group of four index bits, the XOR of the columns at the set bits: 32
+/// digits, the first highest.
 static NIBBLES: [[[u32; 16]; 8]; MOST_DIMENSIONS] = nibbles();
 
 #[expect(clippy::large_stack_arrays, reason = "it lives in the compiler only")]
@@ -212,7 +221,8 @@ const fn matrices(text: &[u8]) -> [([u64; DIGITS], u32); MOST_DIMENSIONS] {
     matrices
 }
 
-/// The columns of one matrix from its first `degree` numbers m and the inner coefficients of its polynomial.
+/// The columns of one matrix from its first `degree` numbers m and the inner coefficients of its
+/// polynomial.
 const fn extend(mut m: [u64; DIGITS], degree: usize, coefficients: u64) -> [u64; DIGITS] {
     let mut k = degree;
     while k < DIGITS {

@@ -1,6 +1,8 @@
 //! Uniform jitter: one random offset for all cells of a grid.
 //!
-//! **What.** In one or two dimensions the square is cut into columns x rows equal cells, as nearly square as n allows, and all of them get the same random place inside; in more dimensions the grid has n = k^d cells.
+//! **What.** In one or two dimensions the square is cut into columns x rows equal cells, as nearly
+//! square as n allows, and all of them get the same random place inside; in more dimensions the
+//! grid has n = k^d cells.
 //!
 //! **Formula.** x_j = (c_j + u_j) / k_j with one u_j for each axis.
 //!
@@ -8,10 +10,12 @@
 //!
 //! **Cost.** d random numbers in all.
 //!
-//! **Limits.** The points move together, so that errors do not cancel as with independent jitter: along an edge that lies on an axis the variance is that of a single row.
+//! **Limits.** The points move together, so that errors do not cancel as with independent jitter:
+//! along an edge that lies on an axis the variance is that of a single row.
 //!
-//! **Papers.** R. Ramamoorthi, J. Anderson, M. Meyer and D. Nowrouzezahrai, A Theory of Monte Carlo Visibility Sampling, ACM Trans. Graph. 31(5) (2012), doi 10.1145/2231816.2231819; the offset is that of Cranley and Patterson (1976), doi
-//! 10.1137/0713071.
+//! **Papers.** R. Ramamoorthi, J. Anderson, M. Meyer and D. Nowrouzezahrai, A Theory of Monte Carlo
+//! Visibility Sampling, ACM Trans. Graph. 31(5) (2012), doi 10.1145/2231816.2231819; the offset is
+//! that of Cranley and Patterson (1976), doi 10.1137/0713071.
 //!
 //! ```
 //! use workbook::{samplers::{Sampler, uniform_jitter::UniformJitter}, seed::Seed};

@@ -1,18 +1,22 @@
 //! The van der Corput sequence: the digits of the index, reversed behind the point.
 //!
-//! **What.** In base 2, point i is the number whose binary digits after the point are those of i from the last to the first: 0, 1/2, 1/4, 3/4, 1/8, ...
+//! **What.** In base 2, point i is the number whose binary digits after the point are those of i
+//! from the last to the first: 0, 1/2, 1/4, 3/4, 1/8, ...
 //!
 //! **Formula.** i = sum a_k 2^k gives Phi_2(i) = sum a_k 2^(-k-1).
 //!
-//! **Guarantees.** The first m of n points are the m points; every aligned block of 2^m points is a (0, m, 1)-net: one point in each dyadic interval. The star
-//! discrepancy is at most (log2(n) / 3 + 1) / n. Deterministic.
+//! **Guarantees.** The first m of n points are the m points; every aligned block of 2^m points is a
+//! (0, m, 1)-net: one point in each dyadic interval. The star discrepancy is at most (log2(n) /
+//! 3 + 1) / n. Deterministic.
 //!
 //! **Cost.** One bit reversal and one multiplication.
 //!
-//! **Limits.** One dimension. Two axes need two bases ([Halton](super::halton)) or another matrix ([Sobol'](super::sobol)). Bits of the index
-//! from the 54th on are dropped: a `f64` has no room for them.
+//! **Limits.** One dimension. Two axes need two bases ([Halton](super::halton)) or another matrix
+//! ([Sobol'](super::sobol)). Bits of the index from the 54th on are dropped: a `f64` has no room
+//! for them.
 //!
-//! **Paper.** J. G. van der Corput, Verteilungsfunktionen, Proc. Kon. Ned. Akad. v. Wetensch. 38 (1935), 813-821.
+//! **Paper.** J. G. van der Corput, Verteilungsfunktionen, Proc. Kon. Ned. Akad. v. Wetensch. 38
+//! (1935), 813-821.
 //!
 //! ```
 //! use workbook::samplers::van_der_corput::bit_reversal;
@@ -94,7 +98,8 @@ pub fn bit_reversal(index: u64) -> f64 {
 
 /// The 53 lowest bits of `index` reversed, as a whole number below 2^53.
 ///
-/// Reversing 64 bits swaps neighbours, pairs, nibbles, bytes, ...; the shift drops the 11 bits for which a `f64` has no room, where rounding would reach 1.
+/// Reversing 64 bits swaps neighbours, pairs, nibbles, bytes, ...; the shift drops the 11 bits for
+/// which a `f64` has no room, where rounding would reach 1.
 #[inline]
 pub fn reversed_bits(index: u64) -> u64 {
     index.reverse_bits() >> 11

@@ -1,16 +1,20 @@
 //! The (0,2)-sequence: van der Corput beside the Pascal matrix modulo 2.
 //!
-//! **What.** Two axes in base 2: the identity matrix and the upper triangle of binomials modulo 2. They are the first two axes of Sobol's sequence and of Faure's in base 2.
+//! **What.** Two axes in base 2: the identity matrix and the upper triangle of binomials modulo 2.
+//! They are the first two axes of Sobol's sequence and of Faure's in base 2.
 //!
-//! **Formula.** C\[r\]\[c\] = binom(c, r) mod 2; column c is column c - 1 XOR itself one digit down.
+//! **Formula.** C\[r\]\[c\] = binom(c, r) mod 2; column c is column c - 1 XOR itself one digit
+//! down.
 //!
-//! **Guarantees.** The first m of n points are the m points; every aligned block of 2^m points is a (0, m, 2)-net in base 2. Deterministic.
+//! **Guarantees.** The first m of n points are the m points; every aligned block of 2^m points is a
+//! (0, m, 2)-net in base 2. Deterministic.
 //!
 //! **Cost.** One XOR for each coordinate.
 //!
 //! **Limits.** One or two dimensions.
 //!
-//! **Papers.** I. M. Sobol' (1967), doi 10.1016/0041-5553(67)90144-9; in graphics: T. Kollig and A. Keller, Efficient Multidimensional Sampling (2002), doi 10.1111/1467-8659.00706.
+//! **Papers.** I. M. Sobol' (1967), doi 10.1016/0041-5553(67)90144-9; in graphics: T. Kollig and A.
+//! Keller, Efficient Multidimensional Sampling (2002), doi 10.1111/1467-8659.00706.
 //!
 //! ```
 //! use workbook::samplers::zero_two::pascal;

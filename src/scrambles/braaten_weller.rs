@@ -1,18 +1,21 @@
 //! Braaten and Weller's permutations: fixed digit permutations, chosen one digit at a time.
 //!
-//! **What.** Each base b has one permutation with p(0) = 0; every further image is the digit that makes the images so far, taken as points k/b, most even.
+//! **What.** Each base b has one permutation with p(0) = 0; every further image is the digit that
+//! makes the images so far, taken as points k/b, most even.
 //!
-//! **Formula.** p(j) is the r not yet used that minimises the L2 star discrepancy of p(1)/b, ..., p(j-1)/b, r/b. Equal choices: the smaller at first (the larger in base 3, where it would be the
+//! **Formula.** p(j) is the r not yet used that minimises the L2 star discrepancy of p(1)/b, ...,
+//! p(j-1)/b, r/b. Equal choices: the smaller at first (the larger in base 3, where it would be the
 //! identity), the larger later. That gives the published table in bases 3, 5, 7, 11, 13 and 17.
 //!
-//! **Guarantees.** Deterministic; since p(0) = 0, trailing zeros stay zeros. Boxes and nets keep their counts.
+//! **Guarantees.** Deterministic; since p(0) = 0, trailing zeros stay zeros. Boxes and nets keep
+//! their counts.
 //!
 //! **Cost.** b^2 steps to build a permutation, one division for each digit to use it.
 //!
 //! **Limits.** In base 2 it is the identity. No error estimate, since nothing is random.
 //!
-//! **Paper.** E. Braaten and G. Weller, An Improved Low-Discrepancy Sequence for Multidimensional Quasi-Monte Carlo Integration, J. Comput. Phys. 33(2) (1979), doi
-//! 10.1016/0021-9991(79)90019-6.
+//! **Paper.** E. Braaten and G. Weller, An Improved Low-Discrepancy Sequence for Multidimensional
+//! Quasi-Monte Carlo Integration, J. Comput. Phys. 33(2) (1979), doi 10.1016/0021-9991(79)90019-6.
 //!
 //! ```
 //! use workbook::scrambles::braaten_weller::permutation;
@@ -87,7 +90,8 @@ pub fn permutation(base: u32) -> Vec<u32> {
     let mut maxima = vec![0; base as usize];
     while !free.is_empty() {
         let count = images.len() as i64;
-        // What depends on r in the squared L2 discrepancy of the chosen points and r/b (Warnock's formula), times b^2 and the square of their number.
+        // What depends on r in the squared L2 discrepancy of the chosen points and r/b (Warnock's
+        // formula), times b^2 and the square of their number.
         let cost = |r: i64| count * r * r - b * (2 * maxima[r as usize] + r);
         let later = count > 1 || base == 3;
         let Some(best) = free.iter().copied().min_by_key(|&r| (cost(r), if later { -r } else { r })) else { break };

@@ -1,17 +1,21 @@
 //! The Cranley-Patterson rotation: a random shift modulo 1.
 //!
-//! **What.** Each axis gets one uniform shift, added to every coordinate; what leaves the cube at one side comes in at the other.
+//! **What.** Each axis gets one uniform shift, added to every coordinate; what leaves the cube at
+//! one side comes in at the other.
 //!
 //! **Formula.** x becomes (x + s) mod 1.
 //!
-//! **Guarantees.** Each point is uniform, hence the mean is unbiased; prefixes stay prefixes. Lattices stay lattices.
+//! **Guarantees.** Each point is uniform, hence the mean is unbiased; prefixes stay prefixes.
+//! Lattices stay lattices.
 //!
 //! **Cost.** One addition for each coordinate.
 //!
-//! **Limits.** Nets do not stay nets: of 16 points in two dimensions only about 2.3 % of the shifts keep all dyadic intervals filled. Point sets that are random already
-//! are refused: they gain nothing, and lose their strata.
+//! **Limits.** Nets do not stay nets: of 16 points in two dimensions only about 2.3 % of the shifts
+//! keep all dyadic intervals filled. Point sets that are random already are refused: they gain
+//! nothing, and lose their strata.
 //!
-//! **Paper.** R. Cranley and T. N. L. Patterson, Randomization of Number Theoretic Methods for Multiple Integration, SIAM J. Numer. Anal. 13(6) (1976), doi 10.1137/0713071.
+//! **Paper.** R. Cranley and T. N. L. Patterson, Randomization of Number Theoretic Methods for
+//! Multiple Integration, SIAM J. Numer. Anal. 13(6) (1976), doi 10.1137/0713071.
 //!
 //! ```
 //! use workbook::scrambles::cranley_patterson::rotate;

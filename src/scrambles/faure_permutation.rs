@@ -1,16 +1,20 @@
 //! Faure's permutations: fixed digit permutations of low discrepancy.
 //!
-//! **What.** Each base b has one permutation, built by recursion, that is applied to every digit: of all b! it makes the one-dimensional sequence especially even.
+//! **What.** Each base b has one permutation, built by recursion, that is applied to every digit:
+//! of all b! it makes the one-dimensional sequence especially even.
 //!
-//! **Formula.** p_2 = (0, 1). For even b, p_b = (2 p_(b/2), 2 p_(b/2) + 1). For odd b = 2 c + 1, take p_(b-1), raise by 1 its values from c on, and put c in the middle.
+//! **Formula.** p_2 = (0, 1). For even b, p_b = (2 p_(b/2), 2 p_(b/2) + 1). For odd b = 2 c + 1,
+//! take p_(b-1), raise by 1 its values from c on, and put c in the middle.
 //!
-//! **Guarantees.** Deterministic; since p(0) = 0, trailing zeros stay zeros. Boxes and nets keep their counts.
+//! **Guarantees.** Deterministic; since p(0) = 0, trailing zeros stay zeros. Boxes and nets keep
+//! their counts.
 //!
 //! **Cost.** One division for each digit of the base.
 //!
 //! **Limits.** In base 2 it is the identity. No error estimate, since nothing is random.
 //!
-//! **Paper.** H. Faure, Good Permutations for Extreme Discrepancy, J. Number Theory 42(1) (1992), doi 10.1016/0022-314X(92)90107-Z.
+//! **Paper.** H. Faure, Good Permutations for Extreme Discrepancy, J. Number Theory 42(1) (1992),
+//! doi 10.1016/0022-314X(92)90107-Z.
 //!
 //! ```
 //! use workbook::scrambles::faure_permutation::permutation;

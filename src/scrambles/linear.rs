@@ -1,18 +1,24 @@
 //! Matousek's random linear scramble with a digital shift.
 //!
-//! **What.** On each axis the digits are multiplied by a random lower triangular matrix over the integers modulo the base, with a diagonal that is nowhere 0, and a random digital shift
-//! is added.
+//! **What.** On each axis the digits are multiplied by a random lower triangular matrix over the
+//! integers modulo the base, with a diagonal that is nowhere 0, and a random digital shift is
+//! added.
 //!
-//! **Formula.** e_k = (sum over j <= k of L_kj d_j + s_k) mod b, with L_kk uniform on 1..b, L_kj and s_k uniform on 0..b.
+//! **Formula.** e_k = (sum over j <= k of L_kj d_j + s_k) mod b, with L_kk uniform on 1..b, L_kj
+//! and s_k uniform on 0..b.
 //!
-//! **Guarantees.** Each point is uniform, hence the mean is unbiased; nets stay nets with the same t, prefixes prefixes. The variance of every mean is that of Owen's scrambling, with far
-//! fewer random numbers.
+//! **Guarantees.** Each point is uniform, hence the mean is unbiased; nets stay nets with the same
+//! t, prefixes prefixes. The variance of every mean is that of Owen's scrambling, with far fewer
+//! random numbers.
 //!
-//! **Cost.** One XOR for each set bit of a coordinate in base 2; a product of matrix and vector in other bases.
+//! **Cost.** One XOR for each set bit of a coordinate in base 2; a product of matrix and vector in
+//! other bases.
 //!
-//! **Limits.** Prime bases only: elsewhere a diagonal entry might have no inverse. Digits beyond the last that a `f64` holds are not formed.
+//! **Limits.** Prime bases only: elsewhere a diagonal entry might have no inverse. Digits beyond
+//! the last that a `f64` holds are not formed.
 //!
-//! **Paper.** J. Matousek, On the L2-Discrepancy for Anchored Boxes, J. Complexity 14(4) (1998), doi 10.1006/jcom.1998.0489.
+//! **Paper.** J. Matousek, On the L2-Discrepancy for Anchored Boxes, J. Complexity 14(4) (1998),
+//! doi 10.1006/jcom.1998.0489.
 //!
 //! ```
 //! use workbook::{samplers::Method, seed::Seed};
@@ -95,7 +101,8 @@ impl Scramble for Linear {
     }
 }
 
-/// The columns of a random lower triangular binary matrix with ones on the diagonal; the first digit is bit 52.
+/// The columns of a random lower triangular binary matrix with ones on the diagonal; the first
+/// digit is bit 52.
 fn binary_columns(random: &mut Random) -> [u64; 53] {
     std::array::from_fn(|j| {
         let diagonal = 1 << (52 - j);

@@ -1,4 +1,5 @@
-//! The scrambles: randomisations of digital samplers, a catalogue of their own, combined by name as `sobol+xor`.
+//! The scrambles: randomisations of digital samplers, a catalogue of their own, combined by name as
+//! `sobol+xor`.
 
 use crate::catalogue::Entry;
 use crate::points::Points;
@@ -31,7 +32,8 @@ pub static SCRAMBLES: &[&dyn Scramble] = &[
     &owen_shuffled::OwenShuffled,
 ];
 
-/// A map of the coordinates of a sampler, one for each axis, that keeps what makes the sampler good.
+/// A map of the coordinates of a sampler, one for each axis, that keeps what makes the sampler
+/// good.
 pub trait Scramble: Entry + Sync {
     /// Whether the seed matters.
     fn is_random(&self) -> bool {
@@ -54,7 +56,8 @@ pub trait Scramble: Entry + Sync {
         None
     }
 
-    /// Its action on the axis `axis`, whose base is `radix`; `seed` is the scramble's, the same for all axes.
+    /// Its action on the axis `axis`, whose base is `radix`; `seed` is the scramble's, the same for
+    /// all axes.
     fn action(&self, radix: Radix, axis: usize, seed: Seed) -> Action;
 }
 
@@ -62,7 +65,8 @@ pub trait Scramble: Entry + Sync {
 pub enum Action {
     /// It maps the digits.
     Digits(Box<dyn DigitMap>),
-    /// It maps each digit on its own, by position: `images[position][digit]`, or `images[0]` for all positions; then adds `tail` of a last digit.
+    /// It maps each digit on its own, by position: `images[position][digit]`, or `images[0]` for
+    /// all positions; then adds `tail` of a last digit.
     Positions {
         /// The places of the digits.
         places: Places,

@@ -1,19 +1,26 @@
 //! Owen's nested uniform scrambling, in any base.
 //!
-//! **What.** The unit interval is cut into b parts, which are put in random order; each part is cut into b, which are put in an order of their own; and so on for ever. Each axis
-//! has its own tree of permutations.
+//! **What.** The unit interval is cut into b parts, which are put in random order; each part is cut
+//! into b, which are put in an order of their own; and so on for ever. Each axis has its own tree
+//! of permutations.
 //!
-//! **Formula.** e_k = p(d_k), where the random permutation p belongs to the node (d_1, ..., d_(k-1)) of the axis' tree.
+//! **Formula.** e_k = p(d_k), where the random permutation p belongs to the node (d_1, ...,
+//! d_(k-1)) of the axis' tree.
 //!
-//! **Guarantees.** Each point is uniform, hence the mean is unbiased; nets stay nets with the same t, prefixes prefixes. On smooth functions the standard deviation falls like n^(-3/2) log^((d-1)/2) n
-//! at n = b^m; it is never above a constant times that of independent points.
+//! **Guarantees.** Each point is uniform, hence the mean is unbiased; nets stay nets with the same
+//! t, prefixes prefixes. On smooth functions the standard deviation falls like n^(-3/2)
+//! log^((d-1)/2) n at n = b^m; it is never above a constant times that of independent points.
 //!
 //! **Cost.** One hash for each of 32 digits in base 2; in base b a shuffle of b for each digit.
 //!
-//! **Limits.** The tree's nodes are hashed, not stored: nothing is allocated, and a point is a pure function of its index. Digits are permuted one by one up to a total of 2^32 nodes a level, and
-//! the rest is one uniform number of its own for each point; points with an index below 2^32 cannot tell the difference in law. The rate holds at n = b^m only.
+//! **Limits.** The tree's nodes are hashed, not stored: nothing is allocated, and a point is a pure
+//! function of its index. Digits are permuted one by one up to a total of 2^32 nodes a level, and
+//! the rest is one uniform number of its own for each point; points with an index below 2^32 cannot
+//! tell the difference in law. The rate holds at n = b^m only.
 //!
-//! **Papers.** A. B. Owen, Randomly Permuted (t,m,s)-Nets and (t,s)-Sequences (1995), doi 10.1007/978-1-4612-2552-2_19; the variance: Ann. Statist. 25(4) (1997), doi 10.1214/aos/1031594731.
+//! **Papers.** A. B. Owen, Randomly Permuted (t,m,s)-Nets and (t,s)-Sequences (1995), doi
+//! 10.1007/978-1-4612-2552-2_19; the variance: Ann. Statist. 25(4) (1997), doi
+//! 10.1214/aos/1031594731.
 //!
 //! ```
 //! use workbook::{samplers::Method, seed::Seed};
@@ -84,11 +91,13 @@ impl Scramble for Owen {
     }
 }
 
-/// Base 2: the digits of `numerator < 2^53`, each flipped or not as the node of the digits before it says.
+/// Base 2: the digits of `numerator < 2^53`, each flipped or not as the node of the digits before
+/// it says.
 pub fn nested_flips(numerator: u64, key: u64) -> u64 {
     let mut flips = 0;
     for position in 0..FLIPS {
-        // The node: its depth, and the path to it, which is the numerator without the digits from here on.
+        // The node: its depth, and the path to it, which is the numerator without the digits from
+        // here on.
         let path = numerator >> (53 - position);
         flips |= (node(key, position, path) >> 63) << (52 - position);
     }

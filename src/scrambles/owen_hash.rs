@@ -1,19 +1,24 @@
 //! Owen scrambling in base 2 by one hash of the reversed digits.
 //!
-//! **What.** The 32 digits of a coordinate are reversed, so that the first is the lowest bit, and hashed by steps in which a bit depends on the lower bits only: additions, odd
-//! multiplications, and XORs with an even multiple. Reversed back, each digit is flipped or not by a function of those before it: a nested scrambling.
+//! **What.** The 32 digits of a coordinate are reversed, so that the first is the lowest bit, and
+//! hashed by steps in which a bit depends on the lower bits only: additions, odd multiplications,
+//! and XORs with an even multiple. Reversed back, each digit is flipped or not by a function of
+//! those before it: a nested scrambling.
 //!
-//! **Formula.** With n reversed: n ^= n * 0x3d20adea; n += s; n *= (s >> 16) | 1; n ^= n * 0x05526c56; n ^= n * 0x53a22864 (N. Vegdahl's constants of 2021, which mend the
-//! weak early digits of those first published).
+//! **Formula.** With n reversed: n ^= n * 0x3d20adea; n += s; n *= (s >> 16) | 1; n ^= n *
+//! 0x05526c56; n ^= n * 0x53a22864 (N. Vegdahl's constants of 2021, which mend the weak early
+//! digits of those first published).
 //!
 //! **Guarantees.** As Owen's: unbiased up to 2^-33, nets stay nets, prefixes prefixes.
 //!
 //! **Cost.** Four multiplications for each coordinate, in parallel on many lanes.
 //!
-//! **Limits.** Base 2. Coordinates have 32 digits, and indices must be below 2^32. The trees are not independent as Owen asks, only hard to tell from it; the seed of each axis is hashed
-//! first, since raw consecutive seeds correlate the axes.
+//! **Limits.** Base 2. Coordinates have 32 digits, and indices must be below 2^32. The trees are
+//! not independent as Owen asks, only hard to tell from it; the seed of each axis is hashed first,
+//! since raw consecutive seeds correlate the axes.
 //!
-//! **Papers.** S. Laine and T. Karras (2011), doi 10.1111/j.1467-8659.2011.01978.x; B. Burley, Practical Hash-based Owen Scrambling, J. Comput. Graph. Tech. 9(4) (2020).
+//! **Papers.** S. Laine and T. Karras (2011), doi 10.1111/j.1467-8659.2011.01978.x; B. Burley,
+//! Practical Hash-based Owen Scrambling, J. Comput. Graph. Tech. 9(4) (2020).
 //!
 //! ```
 //! use workbook::scrambles::owen_hash::scramble;
@@ -101,7 +106,8 @@ pub fn scramble(digits: u32, seed: u32) -> u32 {
     carry_up(digits.reverse_bits(), seed).reverse_bits()
 }
 
-/// The hash in which every bit depends on the lower bits and the seed only (Laine and Karras, with Vegdahl's constants).
+/// The hash in which every bit depends on the lower bits and the seed only (Laine and Karras, with
+/// Vegdahl's constants).
 #[inline]
 pub fn carry_up(word: u32, seed: u32) -> u32 {
     let word = word ^ word.wrapping_mul(0x3d20_adea);

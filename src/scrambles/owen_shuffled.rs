@@ -1,17 +1,22 @@
-//! Burley's shuffled scrambled sequence: the order of the points is scrambled as well as their digits.
+//! Burley's shuffled scrambled sequence: the order of the points is scrambled as well as their
+//! digits.
 //!
-//! **What.** Before a point is formed, its index goes through a nested scrambling of its own: aligned blocks of 2^m indices become aligned blocks of 2^m, in shuffled order. Two such
+//! **What.** Before a point is formed, its index goes through a nested scrambling of its own:
+//! aligned blocks of 2^m indices become aligned blocks of 2^m, in shuffled order. Two such
 //! sequences with different seeds can then be padded side by side without a pattern between them.
 //!
 //! **Formula.** Point i is the hash-scrambled point number nested(i).
 //!
-//! **Guarantees.** As [`owen_hash`](super::owen_hash): unbiased, every aligned block of 2^m points a net with the same t, prefixes prefixes.
+//! **Guarantees.** As [`owen_hash`](super::owen_hash): unbiased, every aligned block of 2^m points
+//! a net with the same t, prefixes prefixes.
 //!
-//! **Cost.** One more hash for each point; the shuffled index has all 32 bits set at random, so that its columns cannot be counted up one by one.
+//! **Cost.** One more hash for each point; the shuffled index has all 32 bits set at random, so
+//! that its columns cannot be counted up one by one.
 //!
 //! **Limits.** Base 2, indices below 2^32, 32 digits.
 //!
-//! **Paper.** B. Burley, Practical Hash-based Owen Scrambling, J. Comput. Graph. Tech. 9(4) (2020), <https://jcgt.org/published/0009/04/01/>.
+//! **Paper.** B. Burley, Practical Hash-based Owen Scrambling, J. Comput. Graph. Tech. 9(4) (2020),
+//! <https://jcgt.org/published/0009/04/01/>.
 //!
 //! ```
 //! use workbook::{samplers::Method, seed::Seed};
@@ -84,7 +89,8 @@ impl Scramble for OwenShuffled {
     }
 }
 
-/// Random access without preparation: coordinate `axis < 256` of point `index` of the sequence numbered `seed`, in [0, 1).
+/// Random access without preparation: coordinate `axis < 256` of point `index` of the sequence
+/// numbered `seed`, in [0, 1).
 #[inline]
 pub fn sample(index: u32, axis: usize, seed: u32) -> f64 {
     let shuffled = scramble(index, mix_in(seed, 0));

@@ -1,17 +1,21 @@
 //! Random digit permutations: one for each axis and each position.
 //!
-//! **What.** On each axis a random permutation is drawn for each digit position, and applied to that digit of every coordinate.
+//! **What.** On each axis a random permutation is drawn for each digit position, and applied to
+//! that digit of every coordinate.
 //!
 //! **Formula.** x = 0.d_1 d_2 ... becomes 0.e_1 e_2 ... with e_k = p_k(d_k).
 //!
-//! **Guarantees.** Each point is uniform, hence the mean is unbiased; nets and the boxes of the Halton sequence keep their counts; prefixes stay prefixes.
+//! **Guarantees.** Each point is uniform, hence the mean is unbiased; nets and the boxes of the
+//! Halton sequence keep their counts; prefixes stay prefixes.
 //!
 //! **Cost.** One division for each digit of the base.
 //!
-//! **Limits.** The infinitely many zeros behind the last digit are permuted as well. Permuting only the digits that the index has is a known trap: with p = (1, 0, 2) in base 3 points
-//! 0, 1 and 4 coincide, and 6 of 9 strata are hit. In base 2 it is the XOR.
+//! **Limits.** The infinitely many zeros behind the last digit are permuted as well. Permuting only
+//! the digits that the index has is a known trap: with p = (1, 0, 2) in base 3 points 0, 1 and 4
+//! coincide, and 6 of 9 strata are hit. In base 2 it is the XOR.
 //!
-//! **Papers.** B. Tuffin (1996), doi 10.1515/mcma.1998.4.3.185, and A. B. Owen, A Randomized Halton Algorithm in R (2017), arXiv 1706.02808.
+//! **Papers.** B. Tuffin (1996), doi 10.1515/mcma.1998.4.3.185, and A. B. Owen, A Randomized Halton
+//! Algorithm in R (2017), arXiv 1706.02808.
 //!
 //! ```
 //! use workbook::{samplers::Method, seed::Seed};
@@ -74,7 +78,8 @@ impl Scramble for Permutation {
         let seed = seed.at(axis as u64);
         let places = Places::new(radix);
         let keys: Vec<u64> = (0..u64::from(radix.digits)).map(|position| seed.at(position).word()).collect();
-        // All zeros from here on have random images, which together are one uniform number, the same for all points.
+        // All zeros from here on have random images, which together are one uniform number, the
+        // same for all points.
         let tail = if radix.base == 2 { 0.0 } else { unit(seed.named("tail").word()) };
         let images = keys.iter().map(|&key| images(u64::from(radix.base), key)).collect();
         Action::Positions { places, images, tail }

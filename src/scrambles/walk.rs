@@ -1,4 +1,5 @@
-//! A walk over the digits of a numerator, the most significant first: what the scrambles of any base share.
+//! A walk over the digits of a numerator, the most significant first: what the scrambles of any
+//! base share.
 
 use crate::samplers::Radix;
 use crate::seed::mix;
@@ -28,7 +29,8 @@ impl Places {
         })
     }
 
-    /// The numerator whose digits are the images of those of `numerator` under `image(position, digit) < base`.
+    /// The numerator whose digits are the images of those of `numerator` under `image(position,
+    /// digit) < base`.
     pub fn map(&self, numerator: u64, image: impl Fn(usize, u64) -> u64) -> u64 {
         self.digits(numerator).map(|(position, digit, place)| image(position, digit) * place).sum()
     }
@@ -39,10 +41,12 @@ pub fn unit(word: u64) -> f64 {
     (word >> 11) as f64 * (1.0 / 9_007_199_254_740_992.0)
 }
 
-/// Above this size, shuffling a permutation to look up one image costs too much, and it is computed by hashing instead.
+/// Above this size, shuffling a permutation to look up one image costs too much, and it is computed
+/// by hashing instead.
 const SHUFFLED: u64 = 2048;
 
-/// The image of `digit < base` under the random permutation of `0..base` that `key` numbers: a shuffle for small bases, [`permuted`] for large.
+/// The image of `digit < base` under the random permutation of `0..base` that `key` numbers: a
+/// shuffle for small bases, [`permuted`] for large.
 pub fn image(digit: u64, base: u64, key: u64) -> u64 {
     if base == 2 {
         return digit ^ (key >> 63);
@@ -50,7 +54,8 @@ pub fn image(digit: u64, base: u64, key: u64) -> u64 {
     if base > SHUFFLED {
         return permuted(digit, base, key);
     }
-    // Durstenfeld's shuffle, followed for one item: the swaps are replayed backwards on its position alone.
+    // Durstenfeld's shuffle, followed for one item: the swaps are replayed backwards on its
+    // position alone.
     let mut place = digit;
     for i in (1..base).rev() {
         let other = partner(i, key);
@@ -85,8 +90,9 @@ pub fn images(base: u64, key: u64) -> Vec<u64> {
     images
 }
 
-/// The image of `index < count` under a permutation of `0..count` computed from `key` alone: a bijection of the next power of two, applied until it lands
-/// below `count` (cycle walking; Kensler 2013, Correlated Multi-Jittered Sampling, section 4).
+/// The image of `index < count` under a permutation of `0..count` computed from `key` alone: a
+/// bijection of the next power of two, applied until it lands below `count` (cycle walking; Kensler
+/// 2013, Correlated Multi-Jittered Sampling, section 4).
 pub fn permuted(index: u64, count: u64, key: u64) -> u64 {
     if count < 2 {
         return 0;
@@ -96,7 +102,8 @@ pub fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let mut value = index;
     loop {
         for round in 0..4 {
-            // Odd multiplications, additions and right shifts of the masked word are each bijections of it.
+            // Odd multiplications, additions and right shifts of the masked word are each
+            // bijections of it.
             let word = mix(key.wrapping_add(round));
             value = value.wrapping_add(word) & mask;
             value ^= value >> half;

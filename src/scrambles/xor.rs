@@ -1,18 +1,24 @@
 //! The random digital shift, which in base 2 is an XOR.
 //!
-//! **What.** On each axis one random digit is drawn for each position, and added without carry to the digits of every coordinate. In base 2 that is one XOR.
+//! **What.** On each axis one random digit is drawn for each position, and added without carry to
+//! the digits of every coordinate. In base 2 that is one XOR.
 //!
-//! **Formula.** x = 0.d_1 d_2 ... becomes 0.e_1 e_2 ... with e_k = (d_k + s_k) mod b and the s_k uniform and independent.
+//! **Formula.** x = 0.d_1 d_2 ... becomes 0.e_1 e_2 ... with e_k = (d_k + s_k) mod b and the s_k
+//! uniform and independent.
 //!
-//! **Guarantees.** Each point is uniform, hence the mean is unbiased; nets stay nets with the same t, prefixes prefixes, Latin sets Latin.
+//! **Guarantees.** Each point is uniform, hence the mean is unbiased; nets stay nets with the same
+//! t, prefixes prefixes, Latin sets Latin.
 //!
 //! **Cost.** One XOR for each coordinate in base 2, one pass over the digits in other bases.
 //!
-//! **Limits.** It is *not* Owen's scrambling: the points move rigidly, and errors keep their rate of about 1/n for smooth f. For f = x and n = 16 the
-//! variance is 1/3072, against 1/49152 by Owen's.
+//! **Limits.** It is *not* Owen's scrambling: the points move rigidly, and errors keep their rate
+//! of about 1/n for smooth f. For f = x and n = 16 the variance is 1/3072, against 1/49152 by
+//! Owen's.
 //!
-//! **Papers.** Base 2: R. Cranley and T. N. L. Patterson's idea in digits, as T. Kollig and A. Keller, Efficient Multidimensional Sampling, Comput. Graph. Forum 21 (2002), doi 10.1111/1467-8659.00706; any base:
-//! P. L'Ecuyer and C. Lemieux, Recent Advances in Randomized Quasi-Monte Carlo Methods (2002), doi 10.1007/0-306-48102-2_20.
+//! **Papers.** Base 2: R. Cranley and T. N. L. Patterson's idea in digits, as T. Kollig and A.
+//! Keller, Efficient Multidimensional Sampling, Comput. Graph. Forum 21 (2002), doi
+//! 10.1111/1467-8659.00706; any base: P. L'Ecuyer and C. Lemieux, Recent Advances in Randomized
+//! Quasi-Monte Carlo Methods (2002), doi 10.1007/0-306-48102-2_20.
 //!
 //! ```
 //! use workbook::scrambles::xor::shift;
@@ -23,11 +29,15 @@
 //! assert_eq!(shift(5, 4, ternary), 6); // 12 + 11 without carry is 20
 //! ```
 
+use super::walk::Places;
 use super::{Action, Scramble};
 use crate::catalogue::{About, Entry, Paper};
 use crate::samplers::batch::Finish;
 use crate::samplers::{Digits, Guarantee, Radix, Sampler};
 use crate::seed::{Random, Seed};
+
+/// Bases up to this size have the images of their digits written out.
+const LARGEST_TABLE: u64 = 2048;
 
 /// The scramble `xor`.
 pub struct Xor;
@@ -78,9 +88,19 @@ impl Scramble for Xor {
     fn action(&self, radix: Radix, axis: usize, seed: Seed) -> Action {
         let mut random = seed.at(axis as u64).generator();
         let mask = mask(radix, &mut random);
-        // The shift goes on below the last digit: there all digits of the point are 0, and the shifted ones those of one uniform number.
+        // The shift goes on below the last digit: there all digits of the point are 0, and the
+        // shifted ones those of one uniform number.
         let tail = if radix.base == 2 { 0.0 } else { random.uniform() };
-        Action::Digits(Box::new(move |numerator: u64| radix.coordinate_with(shift(numerator, mask, radix), tail)))
+        let base = u64::from(radix.base);
+        if base == 2 || base > LARGEST_TABLE {
+            return Action::Digits(Box::new(move |numerator: u64| {
+                radix.coordinate_with(shift(numerator, mask, radix), tail)
+            }));
+        }
+        let places = Places::new(radix);
+        let turned = |by: u64| (0..base).map(|digit| (digit + by) % base).collect();
+        let images = places.digits(mask).map(|(_, by, _)| turned(by)).collect();
+        Action::Positions { places, images, tail }
     }
 }
 

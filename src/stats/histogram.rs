@@ -1,6 +1,7 @@
 //! Histograms: counts of values in equal bins.
 
-/// Counts of values in `counts.len()` equal bins of [`from`, `to`], the last bin closed; what falls outside is counted apart, never dropped.
+/// Counts of values in `counts.len()` equal bins of [`from`, `to`], the last bin closed; what falls
+/// outside is counted apart, never dropped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histogram {
     /// The left end of the first bin.
@@ -16,7 +17,8 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// Bins `values` in `bins` equal bins of [`from`, `to`]; `None` unless `bins > 0` and `from < to`, both finite.
+    /// Bins `values` in `bins` equal bins of [`from`, `to`]; `None` unless `bins > 0` and `from <
+    /// to`, both finite.
     ///
     /// ```
     /// use workbook::stats::histogram::Histogram;
@@ -57,7 +59,8 @@ impl Histogram {
         self.counts.iter().sum::<u64>() + self.below + self.above
     }
 
-    /// For each bin its left end, its right end and the density of values in it, such that a density curve can be drawn over it.
+    /// For each bin its left end, its right end and the density of values in it, such that a
+    /// density curve can be drawn over it.
     pub fn densities(&self) -> Vec<(f64, f64, f64)> {
         let (width, total) = (self.width(), self.total().max(1) as f64);
         let edge = |bin: usize| self.from + (self.to - self.from) * (bin as f64 / self.counts.len() as f64);

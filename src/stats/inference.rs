@@ -1,7 +1,9 @@
 //! Tests of hypotheses and intervals: z, chi-square, Kolmogorov-Smirnov, normal and Student's t.
 //!
-//! The incomplete gamma and beta functions are those of `pxfm`. Sources: W. H. Press et al., *Numerical Recipes* (3rd ed., Cambridge 2007, chapters 6 and 14) for the relations; the law of the
-//! Kolmogorov-Smirnov statistic with the correction of M. A. Stephens (1970), doi 10.1111/j.2517-6161.1970.tb00821.x.
+//! The incomplete gamma and beta functions are those of `pxfm`. Sources: W. H. Press et
+//! al., *Numerical Recipes* (3rd ed., Cambridge 2007, chapters 6 and 14) for the relations; the law
+//! of the Kolmogorov-Smirnov statistic with the correction of M. A. Stephens (1970), doi
+//! 10.1111/j.2517-6161.1970.tb00821.x.
 
 use super::moments::Moments;
 use super::{normal, portable};
@@ -22,12 +24,14 @@ impl Interval {
     }
 }
 
-/// The interval for the mean by the normal law, for many values; `confidence` in (0, 1). `None` of fewer than two values.
+/// The interval for the mean by the normal law, for many values; `confidence` in (0, 1). `None` of
+/// fewer than two values.
 pub fn normal_interval(moments: &Moments, confidence: f64) -> Option<Interval> {
     around(moments, confidence, normal::quantile(0.5 + 0.5 * confidence))
 }
 
-/// The interval for the mean by Student's t, right for few values of a normal law. `None` of fewer than two values.
+/// The interval for the mean by Student's t, right for few values of a normal law. `None` of fewer
+/// than two values.
 pub fn t_interval(moments: &Moments, confidence: f64) -> Option<Interval> {
     let freedom = moments.count().checked_sub(1)? as f64;
     around(moments, confidence, t_quantile(0.5 + 0.5 * confidence, freedom))
@@ -55,7 +59,8 @@ pub fn t_distribution(t: f64, freedom: f64) -> f64 {
     if t > 0.0 { 1.0 - tail } else { tail }
 }
 
-/// The t that Student's law with `freedom > 0` degrees stays below with probability `p` in (0, 1), by bisection; infinite at the ends.
+/// The t that Student's law with `freedom > 0` degrees stays below with probability `p` in (0, 1),
+/// by bisection; infinite at the ends.
 pub fn t_quantile(p: f64, freedom: f64) -> f64 {
     if p <= 0.0 || p >= 1.0 {
         return if p >= 1.0 { f64::INFINITY } else { f64::NEG_INFINITY };
@@ -83,7 +88,8 @@ pub struct Verdict {
     pub probability: f64,
 }
 
-/// Pearson's chi-square test of `counts` against equal expected counts; `None` of fewer than two cells or no count at all.
+/// Pearson's chi-square test of `counts` against equal expected counts; `None` of fewer than two
+/// cells or no count at all.
 pub fn chi_square(counts: &[u64]) -> Option<Verdict> {
     let total: u64 = counts.iter().sum();
     if counts.len() < 2 || total == 0 {
@@ -95,7 +101,8 @@ pub fn chi_square(counts: &[u64]) -> Option<Verdict> {
     Some(Verdict { statistic, probability: pxfm::f_gamma_q(0.5 * freedom, 0.5 * statistic) })
 }
 
-/// The Kolmogorov-Smirnov test of `values` against the uniform law on [0, 1]; `None` of no values or where one is not a number.
+/// The Kolmogorov-Smirnov test of `values` against the uniform law on [0, 1]; `None` of no values
+/// or where one is not a number.
 pub fn kolmogorov_smirnov(values: &[f64]) -> Option<Verdict> {
     if values.is_empty() || values.iter().any(|value| value.is_nan()) {
         return None;
@@ -109,7 +116,8 @@ pub fn kolmogorov_smirnov(values: &[f64]) -> Option<Verdict> {
     Some(Verdict { statistic, probability: kolmogorov(scaled) })
 }
 
-/// The probability that the limit law of Kolmogorov exceeds `x`: 2 sum (-1)^(k-1) exp(-2 k^2 x^2), or its dual form for small x, where that converges slowly.
+/// The probability that the limit law of Kolmogorov exceeds `x`: 2 sum (-1)^(k-1) exp(-2 k^2 x^2),
+/// or its dual form for small x, where that converges slowly.
 fn kolmogorov(x: f64) -> f64 {
     use std::f64::consts::PI;
     if x < 1.0 {

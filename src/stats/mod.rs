@@ -1,4 +1,5 @@
-//! Statistics of experiments: portable functions, moments, quadrature, regression, the normal law, histograms.
+//! Statistics of experiments: portable functions, moments, quadrature, regression, the normal law,
+//! histograms.
 
 pub mod histogram;
 pub mod inference;

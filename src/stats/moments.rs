@@ -1,7 +1,9 @@
 //! Means, variances and standard errors, in one pass and without loss of digits.
 //!
-//! Values are centred as they arrive (Welford 1962, doi 10.1080/00401706.1962.10490022), so that a large mean does not swallow a small
-//! variance, and the sums are compensated (Neumaier 1974, doi 10.1002/zamm.19740540106), so that a million terms lose no more than a few units in the last place.
+//! Values are centred as they arrive (Welford 1962, doi 10.1080/00401706.1962.10490022), so that a
+//! large mean does not swallow a small variance, and the sums are compensated (Neumaier 1974, doi
+//! 10.1002/zamm.19740540106), so that a million terms lose no more than a few units in the last
+//! place.
 
 /// A sum that carries along what rounding drops (Neumaier's variant of Kahan's summation).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,7 +25,8 @@ impl Sum {
     /// The sum so far.
     #[inline]
     pub fn value(&self) -> f64 {
-        // Once an infinity or NaN went in, the compensation is NaN, and the plain total tells the truth.
+        // Once an infinity or NaN went in, the compensation is NaN, and the plain total tells the
+        // truth.
         if self.lost.is_finite() { self.total + self.lost } else { self.total }
     }
 }
@@ -137,7 +140,8 @@ mod tests {
         assert_eq!(sum([f64::INFINITY, 1.0]), f64::INFINITY);
     }
 
-    /// A large mean and a small variance, where the textbook formula gives rubbish: NIST `NumAcc4` (exact mean 10000000.2, variance 0.01).
+    /// A large mean and a small variance, where the textbook formula gives rubbish: NIST `NumAcc4`
+    /// (exact mean 10000000.2, variance 0.01).
     #[test]
     fn a_large_mean_leaves_the_variance_alone() {
         let values: Vec<f64> =

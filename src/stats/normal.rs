@@ -14,7 +14,8 @@ pub fn distribution(z: f64) -> f64 {
     0.5 * portable::erfc(-z / SQRT_2)
 }
 
-/// The `z` that a standard normal variable stays below with probability `p` in (0, 1); infinite at the ends, NaN outside.
+/// The `z` that a standard normal variable stays below with probability `p` in (0, 1); infinite at
+/// the ends, NaN outside.
 pub fn quantile(p: f64) -> f64 {
     -SQRT_2 * pxfm::f_erfcinv(2.0 * p)
 }

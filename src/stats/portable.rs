@@ -1,8 +1,9 @@
 //! Elementary functions that give the same bits on every machine.
 //!
-//! The platform's mathematics library may round otherwise on another system, and one bit moves a lock file. These forward to `pxfm`,
-//! whose results are correctly rounded up to a few parts in a million, on all platforms alike. Everything in the crate that needs a transcendental
-//! function takes it from here; `clippy.toml` bans the others.
+//! The platform's mathematics library may round otherwise on another system, and one bit moves a
+//! lock file. These forward to `pxfm`, whose results are correctly rounded up to a few parts in a
+//! million, on all platforms alike. Everything in the crate that needs a transcendental function
+//! takes it from here; `clippy.toml` bans the others.
 
 /// The sine of `x` radians.
 #[inline]
@@ -100,7 +101,8 @@ pub fn erfc(x: f64) -> f64 {
     pxfm::f_erfc(x)
 }
 
-/// `x` to the whole power `exponent`, by repeated squaring from the lowest bit: a fixed order of roundings.
+/// `x` to the whole power `exponent`, by repeated squaring from the lowest bit: a fixed order of
+/// roundings.
 #[inline]
 pub fn power(x: f64, exponent: i32) -> f64 {
     let mut square = x;

@@ -1,9 +1,12 @@
-//! Integrals over the unit cube by Gauss-Legendre panels, for functions whose integral nobody has written down.
+//! Integrals over the unit cube by Gauss-Legendre panels, for functions whose integral nobody has
+//! written down.
 //!
-//! The cube of d <= 3 dimensions is cut into 2^k panels an axis, each with a tensor rule of 10 points an axis, which is exact for polynomials
-//! of degree 19 in each variable. Halving the panels shrinks the error of a smooth function about 10^6-fold, so that the difference of two successive
-//! levels is a generous bound on the error of the finer. A function with a jump converges slowly and is refused rather than guessed.
-//! (Davis and Rabinowitz, *Methods of Numerical Integration*, 2nd ed., Academic Press 1984, doi 10.1016/C2013-0-10566-1.)
+//! The cube of d <= 3 dimensions is cut into 2^k panels an axis, each with a tensor rule of 10
+//! points an axis, which is exact for polynomials of degree 19 in each variable. Halving the panels
+//! shrinks the error of a smooth function about 10^6-fold, so that the difference of two successive
+//! levels is a generous bound on the error of the finer. A function with a jump converges slowly
+//! and is refused rather than guessed. (Davis and Rabinowitz, *Methods of Numerical Integration*,
+//! 2nd ed., Academic Press 1984, doi 10.1016/C2013-0-10566-1.)
 
 use super::moments::{Sum, sum};
 use super::portable;
@@ -15,7 +18,8 @@ const POINTS: usize = 10;
 /// The most evaluations of one level: what two cores do in a few hundredths of a second.
 const MOST_EVALUATIONS: usize = 600_000;
 
-/// Two levels agree when they differ by less than this, relative to the integral of the absolute value.
+/// Two levels agree when they differ by less than this, relative to the integral of the absolute
+/// value.
 const TOLERANCE: f64 = 1e-9;
 
 /// The value of an integral with a bound on its error.
@@ -23,11 +27,13 @@ const TOLERANCE: f64 = 1e-9;
 pub struct Integral {
     /// The value.
     pub value: f64,
-    /// A bound on the absolute error: the difference of the last two levels, at least a few units in the last place.
+    /// A bound on the absolute error: the difference of the last two levels, at least a few units
+    /// in the last place.
     pub error: f64,
 }
 
-/// The integral of `f` over the unit cube of `d` dimensions (1 to 3); `None` for other d, and where the levels do not settle.
+/// The integral of `f` over the unit cube of `d` dimensions (1 to 3); `None` for other d, and where
+/// the levels do not settle.
 ///
 /// ```
 /// use workbook::stats::quadrature::integrate;
@@ -52,7 +58,8 @@ pub fn integrate(d: usize, f: impl Fn(&[f64]) -> f64) -> Option<Integral> {
         }
         if let Some((coarser, difference)) = before {
             let now = (value - coarser).abs();
-            // Two small differences in a row: one alone may be chance, as for a jump that falls on a border of panels.
+            // Two small differences in a row: one alone may be chance, as for a jump that falls on
+            // a border of panels.
             if now.max(difference) <= TOLERANCE.sqrt() * size && now <= TOLERANCE * size {
                 return Some(Integral { value, error: now.max(4.0 * f64::EPSILON * size) });
             }
@@ -87,7 +94,8 @@ fn refine(d: usize, panels: usize, rule: &[(f64, f64); POINTS], f: &impl Fn(&[f6
     (value.value(), size.value())
 }
 
-/// Nodes and weights of the rule on [0, 1]: the zeros of the Legendre polynomial by Newton's method from Tricomi's guess.
+/// Nodes and weights of the rule on [0, 1]: the zeros of the Legendre polynomial by Newton's method
+/// from Tricomi's guess.
 fn legendre() -> [(f64, f64); POINTS] {
     let mut rule = std::array::from_fn(|i| {
         let n = POINTS as f64;
@@ -129,7 +137,8 @@ mod tests {
         let deck = integrate(1, |x| portable::exp(portable::sin(3.0 * x[0] * x[0]))).expect("smooth");
         assert!((deck.value - 1.776_099_045_242_843_7).abs() < 1e-14, "{deck:?}");
         let sphere = integrate(3, |x| 1.0 / (1.0 + x[0] + x[1] + x[2])).expect("smooth");
-        // Three integrations of 1/u give u^2 ln(u) / 2; its third difference at 1 is 8 ln 4 - 13.5 ln 3 + 6 ln 2.
+        // Three integrations of 1/u give u^2 ln(u) / 2; its third difference at 1 is 8 ln 4 - 13.5
+        // ln 3 + 6 ln 2.
         let exact = 8.0 * portable::ln(4.0) - 13.5 * portable::ln(3.0) + 6.0 * portable::ln(2.0);
         assert!((sphere.value - exact).abs() < 1e-13, "{sphere:?} {exact}");
     }

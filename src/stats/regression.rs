@@ -1,7 +1,9 @@
-//! Straight lines by least squares: the slope of an error against the number of points, with its standard error.
+//! Straight lines by least squares: the slope of an error against the number of points, with its
+//! standard error.
 //!
-//! On log-log axes the slope is the rate of convergence. The standard error assumes independent, equally noisy ordinates, as in Draper and Smith,
-//! *Applied Regression Analysis* (3rd ed., Wiley 1998, section 1.4, doi 10.1002/9781118625590).
+//! On log-log axes the slope is the rate of convergence. The standard error assumes independent,
+//! equally noisy ordinates, as in Draper and Smith, *Applied Regression Analysis* (3rd ed., Wiley
+//! 1998, section 1.4, doi 10.1002/9781118625590).
 
 use super::moments::{mean, sum};
 
@@ -12,7 +14,8 @@ pub struct Line {
     pub slope: f64,
     /// The value at x = 0.
     pub intercept: f64,
-    /// The standard error of the slope; infinite where only two points leave no degree of freedom to estimate it.
+    /// The standard error of the slope; infinite where only two points leave no degree of freedom
+    /// to estimate it.
     pub slope_error: f64,
 }
 
@@ -23,7 +26,8 @@ impl Line {
     }
 }
 
-/// The least-squares line through (`x[i]`, `y[i]`); `None` for fewer than two points, unequal lengths, values that are not finite, or one single abscissa.
+/// The least-squares line through (`x[i]`, `y[i]`); `None` for fewer than two points, unequal
+/// lengths, values that are not finite, or one single abscissa.
 ///
 /// ```
 /// use workbook::stats::regression::least_squares;

@@ -1,4 +1,5 @@
-//! The battery: every sampler, alone and with every scramble, is held to what it declares over many n, d and seeds.
+//! The battery: every sampler, alone and with every scramble, is held to what it declares over many
+//! n, d and seeds.
 //!
 //! The checks themselves are in `checks.rs`.
 
@@ -161,7 +162,33 @@ fn random_access_gives_the_bits_of_the_batch() {
     assert!(checked > 100, "only {checked} methods have random access");
 }
 
-/// Every sequence stays in [0, 1) at the last indices of 32 bits and at those of the traps, in `f64` and as `f32` rounded towards 0.
+/// The same over many blocks and tables of the fast paths, which a small set does not reach.
+#[test]
+fn long_batches_give_the_bits_of_random_access() {
+    let names = [
+        "sobol",
+        "sobol+xor",
+        "sobol+owen-hash",
+        "zero-two+xor",
+        "halton",
+        "halton+permutation",
+        "halton+xor",
+        "hammersley",
+    ];
+    for method in names.map(|name| Method::parse(name).expect(name)) {
+        for (n, d) in [(5000, 1), (5000, 2), (3001, 7), (700, 100)] {
+            let seed = Seed::new(3);
+            let (Ok(points), Some(sample)) = (method.points(n, d, seed), method.sample(n, d, seed)) else { continue };
+            for (i, row) in points.rows().enumerate() {
+                let same = row.iter().enumerate().all(|(axis, &x)| sample(i as u64, axis) == x);
+                assert!(same, "{method}: n = {n}, d = {d}, point {i}");
+            }
+        }
+    }
+}
+
+/// Every sequence stays in [0, 1) at the last indices of 32 bits and at those of the traps, in
+/// `f64` and as `f32` rounded towards 0.
 #[test]
 fn far_indices_stay_below_one() {
     let indices =
@@ -208,8 +235,8 @@ fn consecutive_points_fill_boxes() {
     }
 }
 
-/// Over seeds the points together are uniform (mean and second moment on every axis, no correlation of neighbouring axes): within 5 standard errors, which
-/// are measured over the seeds.
+/// Over seeds the points together are uniform (mean and second moment on every axis, no correlation
+/// of neighbouring axes): within 5 standard errors, which are measured over the seeds.
 #[test]
 fn points_are_uniform_over_seeds() {
     for (method, n, d) in cases().filter(|&(_, n, d)| [1, 8, 9, 16].contains(&n) && d <= 3) {
@@ -256,7 +283,8 @@ fn names_read_back_and_slips_are_answered() {
     );
 }
 
-/// Catalogues: unique keys, sources that are the file named, at least one paper each, and every file of the folder listed.
+/// Catalogues: unique keys, sources that are the file named, at least one paper each, and every
+/// file of the folder listed.
 #[test]
 fn catalogues_are_complete() {
     use workbook::catalogue::About;

@@ -1,4 +1,5 @@
-//! Proof that the battery bites: samplers broken in typical ways, each with the check that catches it.
+//! Proof that the battery bites: samplers broken in typical ways, each with the check that catches
+//! it.
 
 use crate::checks::{
     fills_boxes, has_strength, in_range, is_block_net, is_latin, is_net, is_stratified, relative_radius, worst_moment,
@@ -69,7 +70,8 @@ fn whole_number_division_crowds_multi_jitter() {
     assert!(worst_moment(broken) > 50.0);
 }
 
-/// Latin hypercubes whose cells are drawn independently (a library's first version) or not jittered or cyclically permuted.
+/// Latin hypercubes whose cells are drawn independently (a library's first version) or not jittered
+/// or cyclically permuted.
 #[test]
 fn broken_latin_hypercubes_are_caught() {
     let independent = |seed| {
@@ -99,7 +101,8 @@ fn broken_latin_hypercubes_are_caught() {
     assert!(is_latin(&diagonal(1)) && worst_moment(diagonal) > 50.0);
 }
 
-/// A shuffle that leaves out the item itself makes cyclic permutations only: on three items two of six.
+/// A shuffle that leaves out the item itself makes cyclic permutations only: on three items two of
+/// six.
 #[test]
 fn exclusive_shuffles_are_cyclic() {
     let mut seen = std::collections::BTreeSet::new();
@@ -126,7 +129,8 @@ fn broken_sobol_sequences_are_no_nets() {
     assert!(is_net(&whole("sobol", 16, 2, 1), 2, 0) && !is_net(&dropped, 2, 0));
     let gray = |i: u64| [van_der_corput::bit_reversal(i), van_der_corput::bit_reversal(i ^ (i >> 1))];
     assert!(!is_net(&set(2, (0..16).flat_map(gray).collect()), 2, 0));
-    // In one dimension the order of a Gray code keeps every prefix of 2^m a net: only the known first points tell.
+    // In one dimension the order of a Gray code keeps every prefix of 2^m a net: only the known
+    // first points tell.
     let ordered = set(1, (0..16).map(|i| van_der_corput::bit_reversal(i ^ (i >> 1))).collect());
     assert!(is_net(&ordered, 2, 0) && ordered != whole("sobol", 16, 1, 1));
 }
@@ -141,7 +145,8 @@ fn sequences_and_shifts_that_are_no_nets() {
     assert!(!is_block_net(&shifted, 2, 0));
 }
 
-/// A hash whose carries run the wrong way, that is without reversing the digits: later digits change earlier ones, and the net breaks in two axes.
+/// A hash whose carries run the wrong way, that is without reversing the digits: later digits
+/// change earlier ones, and the net breaks in two axes.
 #[test]
 fn hashes_the_wrong_way_round_are_caught() {
     let points = |seed: u64, hash: &dyn Fn(u32, u32) -> u32| {

@@ -1,4 +1,5 @@
-//! The checks of the battery: functions from points to a verdict, so that `bite.rs` can try them on samplers that are broken on purpose.
+//! The checks of the battery: functions from points to a verdict, so that `bite.rs` can try them on
+//! samplers that are broken on purpose.
 
 use workbook::points::{Points, slab};
 use workbook::stats::moments::Moments;
@@ -60,7 +61,8 @@ pub fn is_net(points: &Points, base: u32, t: u32) -> bool {
     })
 }
 
-/// The points together are a net: every elementary interval of volume b^(t-m) holds b^t of the b^m points.
+/// The points together are a net: every elementary interval of volume b^(t-m) holds b^t of the b^m
+/// points.
 pub fn is_block_net(points: &Points, base: u32, t: u32) -> bool {
     let (n, d, base) = (points.len(), points.dimensions(), base as usize);
     let Some(m) = (0..32).find(|&m| base.pow(m) == n) else { return false };
@@ -70,7 +72,8 @@ pub fn is_block_net(points: &Points, base: u32, t: u32) -> bool {
     })
 }
 
-/// Of every b1^k1 ... bd^kd consecutive points, wherever they start, one lies in each box, for all exponents that fit.
+/// Of every b1^k1 ... bd^kd consecutive points, wherever they start, one lies in each box, for all
+/// exponents that fit.
 pub fn fills_boxes(points: &Points, bases: &[usize]) -> bool {
     let (n, d) = (points.len(), points.dimensions());
     let mut shapes = vec![vec![]];

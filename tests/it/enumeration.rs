@@ -22,7 +22,8 @@ proptest! {
         prop_assert_eq!(search, vec![found.first, found.first + found.step, found.first + 2 * found.step]);
     }
 
-    /// The indices of a Sobol' block are those that a search finds, in two axes or three, whatever the block.
+    /// The indices of a Sobol' block are those that a search finds, in two axes or three, whatever
+    /// the block.
     #[test]
     fn sobol_indices_are_what_a_search_finds(digits in prop::collection::vec(0_u32..4, 1..4), cells in any::<[u64; 3]>(), block in 0_u64..1000, m in 0_u32..9) {
         let intervals: Vec<Interval> = digits.iter().enumerate()
@@ -47,7 +48,8 @@ fn boxes_out_of_range_are_refused() {
     assert_eq!(enumeration::sobol(&[interval(0, 1, 0)], 54, 0), None);
     assert_eq!(enumeration::sobol(&[], 40, 0), None);
     assert_eq!(enumeration::sobol(&[interval(0, 1, 0)], 30, u64::MAX), None);
-    // In two axes every box of 2^-m holds one index of each block of 2^m: the pixel is met once a pass.
+    // In two axes every box of 2^-m holds one index of each block of 2^m: the pixel is met once a
+    // pass.
     for pass in 0..20 {
         assert_eq!(
             enumeration::sobol(&[interval(0, 5, 17), interval(1, 5, 9)], 10, pass).map(|found| found.len()),

@@ -70,7 +70,8 @@ fn folded_inverses_are_the_exact_fractions() {
     }
 }
 
-/// Trap 3: where digits summed in single precision reach 1, the integer form stays below, in `f64` and rounded to `f32` towards 0.
+/// Trap 3: where digits summed in single precision reach 1, the integer form stays below, in `f64`
+/// and rounded to `f32` towards 0.
 #[test]
 fn radical_inverses_stay_below_one_where_the_lecture_reaches_it() {
     let traps =
@@ -95,7 +96,8 @@ fn radical_inverses_stay_below_one_where_the_lecture_reaches_it() {
     }
 }
 
-/// Trap 1 and the table of the lecture: the mean of the first n van der Corput points, in the digits known.
+/// Trap 1 and the table of the lecture: the mean of the first n van der Corput points, in the
+/// digits known.
 #[test]
 fn the_deck_by_van_der_corput() {
     let function = Function::parse("exp-sin").expect("catalogued");
@@ -135,7 +137,8 @@ fn permutations_break_the_correlation_of_halton() {
     }
 }
 
-/// Trap 8 of hash-based scrambling: raw consecutive seeds bias E[xy]; ours are hashed, and the mean over consecutive seeds is 1/4.
+/// Trap 8 of hash-based scrambling: raw consecutive seeds bias E[xy]; ours are hashed, and the mean
+/// over consecutive seeds is 1/4.
 #[test]
 fn consecutive_seeds_do_not_bias_the_product() {
     let method = Method::parse("sobol+owen-hash").expect("known");
@@ -145,7 +148,8 @@ fn consecutive_seeds_do_not_bias_the_product() {
     assert!((moments.mean() - 0.25).abs() < 5.0 * moments.standard_error(), "{moments:?}");
 }
 
-/// A Cranley-Patterson shift of 16 points keeps every dyadic interval filled with probability 2.3 %; XOR and Owen always do.
+/// A Cranley-Patterson shift of 16 points keeps every dyadic interval filled with probability 2.3
+/// %; XOR and Owen always do.
 #[test]
 fn shifts_rarely_keep_the_net() {
     let kept = |name: &str| {
@@ -170,11 +174,13 @@ fn errors(method: &str, function: &str, n: usize, replicates: u64) -> Vec<f64> {
     (0..replicates).map(|k| estimate(method.points(n, d, seed.at(k)).expect("admitted")) - exact).collect()
 }
 
-/// The variance of xy under one shared offset (u, v) in a 4 x 4 grid: the mean of (c + u)(r + v) / 16 over the cells is (3/2 + u)(3/2 + v) / 16, of variance
-/// (E\[(3/2 + u)^2\]^2 - 16) / 256 with E\[(3/2 + u)^2\] = 4 + 1/12.
+/// The variance of xy under one shared offset (u, v) in a 4 x 4 grid: the mean of (c + u)(r + v) /
+/// 16 over the cells is (3/2 + u)(3/2 + v) / 16, of variance (E\[(3/2 + u)^2\]^2 - 16) / 256 with
+/// E\[(3/2 + u)^2\] = 4 + 1/12.
 const UNIFORM_JITTER_XY: f64 = ((49.0 / 12.0) * (49.0 / 12.0) - 16.0) / 256.0;
 
-/// The variance of the 16-point estimate, where theory knows it: within 5 standard errors of the sample variance.
+/// The variance of the 16-point estimate, where theory knows it: within 5 standard errors of the
+/// sample variance.
 #[test]
 fn variances_at_16_points_are_the_exact_ones() {
     let cases = [
@@ -227,7 +233,8 @@ fn latin_hypercubes_take_sums_apart() {
     }
 }
 
-/// Given to three digits: multi-jitter 7.86e-5, correlated multi-jitter 2.68e-4, which is worse than plain jitter's 2.15e-4.
+/// Given to three digits: multi-jitter 7.86e-5, correlated multi-jitter 2.68e-4, which is worse
+/// than plain jitter's 2.15e-4.
 #[test]
 fn correlated_multi_jitter_is_worse_on_the_product() {
     for (method, published) in [("multi-jittered", 7.86e-5), ("correlated-multi-jittered", 2.68e-4)] {
@@ -237,7 +244,8 @@ fn correlated_multi_jitter_is_worse_on_the_product() {
     }
 }
 
-/// The saturation limits of random sequential adsorption on the torus: coverage 0.547, relative radius 0.7767.
+/// The saturation limits of random sequential adsorption on the torus: coverage 0.547, relative
+/// radius 0.7767.
 #[test]
 fn maximal_poisson_sets_reach_saturation() {
     use workbook::samplers::maximal_poisson::saturate;
@@ -271,7 +279,8 @@ fn slope(method: &str, function: &str) -> f64 {
     least_squares(&x, &y).expect("five points").slope
 }
 
-/// The published rates in two dimensions: within 0.12 at 64 replicates and 4096 points, which tells every two rates apart that differ in kind.
+/// The published rates in two dimensions: within 0.12 at 64 replicates and 4096 points, which tells
+/// every two rates apart that differ in kind.
 #[test]
 fn slopes_of_the_error_are_the_published_ones() {
     let table = [

@@ -22,7 +22,8 @@ fn larcher_as_sequence(n: usize) -> Points {
     Points::from_rows(2, rows.collect()).expect("pairs")
 }
 
-/// Every row of the table: exact star and L2 star discrepancies, and the squared forms of Hickernell.
+/// Every row of the table: exact star and L2 star discrepancies, and the squared forms of
+/// Hickernell.
 #[test]
 fn discrepancies_are_those_of_the_table() {
     let table = include_str!("../data/discrepancy.csv");
@@ -146,7 +147,8 @@ fn grids_and_van_der_corput_keep_their_values() {
     }
 }
 
-/// Trap 7: as a sequence the pair has t = m - 2 and a discrepancy that stalls near 1/8; as a net t = 0.
+/// Trap 7: as a sequence the pair has t = m - 2 and a discrepancy that stalls near 1/8; as a net
+/// t = 0.
 #[test]
 fn the_larcher_net_is_no_sequence() {
     for m in 4..=10 {
@@ -217,7 +219,8 @@ fn the_spectrum_is_the_periodogram() {
     assert_eq!(total, inside.filter(|&length| (0.5..40.5).contains(&length)).count());
 }
 
-/// Expected spectra: 1 for independent points, 1 - prod sinc^2 for jittered, and the two forms of Latin hypercubes.
+/// Expected spectra: 1 for independent points, 1 - prod sinc^2 for jittered, and the two forms of
+/// Latin hypercubes.
 #[test]
 fn expected_spectra_are_met() {
     let sinc =

@@ -44,7 +44,8 @@ fn genz_families_have_their_integrals() {
     assert_eq!(rows, 18);
 }
 
-/// What has a kink or a jump, against a scrambled net of 2^14 points, within 5 standard errors, in mean and variance.
+/// What has a kink or a jump, against a scrambled net of 2^14 points, within 5 standard errors, in
+/// mean and variance.
 #[test]
 fn every_integrand_agrees_with_scrambled_nets() {
     let method = Method::parse("sobol+owen-hash").expect("known");
@@ -72,7 +73,8 @@ fn every_integrand_agrees_with_scrambled_nets() {
     }
 }
 
-/// Integrands with jumps, on a fine grid of midpoints: the error is at most the share of cells that the jump crosses.
+/// Integrands with jumps, on a fine grid of midpoints: the error is at most the share of cells that
+/// the jump crosses.
 #[test]
 fn discontinuous_integrals_agree_with_a_fine_grid() {
     for (key, crossed) in [("disk", 2.0), ("edge", 2.0), ("step", 1.0)] {

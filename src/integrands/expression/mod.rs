@@ -1,13 +1,18 @@
-//! Expressions that chapters write, such as `exp(sin(3*x^2))`: read once, compiled, evaluated for every sample.
+//! Expressions that chapters write, such as `exp(sin(3*x^2))`: read once, compiled, evaluated for
+//! every sample.
 //!
-//! **Grammar.** Numbers (`3`, `.5`, `1e-3`); variables `x`, `y`, `z` or `x1` to `x256` (x = x1, y = x2, z = x3); the constants `pi`, `tau`, `e`;
-//! `+ - * / ^`, where `^` binds strongest and to the right, and a sign binds weaker than it, as in print: `-x^2` is -(x^2); the comparisons `<`, `<=`,
-//! `>`, `>=`, which give 1 or 0; functions of one argument (`sin`, `exp`, `sqrt`, ...) and of two (`min`, `max`, `pow`).
+//! **Grammar.** Numbers (`3`, `.5`, `1e-3`); variables `x`, `y`, `z` or `x1` to `x256` (x = x1, y =
+//! x2, z = x3); the constants `pi`, `tau`, `e`; `+ - * / ^`, where `^` binds strongest and to the
+//! right, and a sign binds weaker than it, as in print: `-x^2` is -(x^2); the comparisons `<`,
+//! `<=`, `>`, `>=`, which give 1 or 0; functions of one argument (`sin`, `exp`, `sqrt`, ...) and of
+//! two (`min`, `max`, `pow`).
 //!
-//! **Why not a crate.** The expression crates that were tried bind a sign stronger than `^`, so that `exp(-x^2-y^2)` would silently be another function, and tell no
-//! place of a mistake. Every function is from [`crate::stats::portable`].
+//! **Why not a crate.** The expression crates that were tried bind a sign stronger than `^`, so
+//! that `exp(-x^2-y^2)` would silently be another function, and tell no place of a mistake. Every
+//! function is from [`crate::stats::portable`].
 //!
-//! **Cost.** The tree becomes a list of steps on a stack of numbers; a whole exponent becomes multiplications.
+//! **Cost.** The tree becomes a list of steps on a stack of numbers; a whole exponent becomes
+//! multiplications.
 
 mod formula;
 mod parser;

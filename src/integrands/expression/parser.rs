@@ -99,7 +99,8 @@ fn operator(rest: &str) -> Option<(Token<'_>, usize)> {
     Some((Token::Operator(operator), 1))
 }
 
-/// A number with an optional fraction and exponent; `2e` is 2 times the constant e, and a mistake told later.
+/// A number with an optional fraction and exponent; `2e` is 2 times the constant e, and a mistake
+/// told later.
 fn number(rest: &str, at: usize) -> Result<(Token<'_>, usize), ExpressionError> {
     let bytes = rest.as_bytes();
     let digits = |from: usize| bytes[from..].iter().take_while(|byte| byte.is_ascii_digit()).count();
@@ -248,7 +249,8 @@ fn latex_variable(name: &str) -> String {
     if name.len() > 1 { format!("x_{{{}}}", &name[1..]) } else { name.to_owned() }
 }
 
-/// The known name nearest to `name`; other languages' names first, which no measure of likeness finds.
+/// The known name nearest to `name`; other languages' names first, which no measure of likeness
+/// finds.
 fn suggestion(name: &str) -> Option<String> {
     let alias = match name.to_lowercase().as_str() {
         "sine" => Some("sin"),

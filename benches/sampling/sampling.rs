@@ -1,6 +1,8 @@
-//! Speed of the samplers and measures, beside the public crates that do the same, in one run: `cargo bench --no-default-features`.
+//! Speed of the samplers and measures, beside the public crates that do the same, in one run:
+//! `cargo bench --manifest-path benches/sampling/Cargo.toml`.
 //!
-//! Times are for a whole batch; the counters give items a second, where an item is one coordinate (or one pair, or one frequency of one point).
+//! Times are for a whole batch; the counters give items a second, where an item is one coordinate
+//! (or one pair, or one frequency of one point).
 
 #![allow(clippy::unwrap_used, reason = "a benchmark stops at the first mistake")]
 

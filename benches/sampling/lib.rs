@@ -1,0 +1,1 @@
+//! Nothing of its own: the benches beside this file measure the samplers and measures of `workbook`.
