@@ -49,6 +49,7 @@ const SHARED: &[&str] = &[
     "metrics/occupancy.rs",
     "metrics/spectrum.rs",
     "metrics/star_bound.rs",
+    "metrics/star_space.rs",
     "kinds/estimation",
     "kinds/experiment",
 ];
