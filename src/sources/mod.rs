@@ -61,6 +61,8 @@ pub struct Sources<'a> {
     entries: BTreeSet<Entry<'a>>,
     /// The entries of the catalogues.
     listed: BTreeSet<Entry<'a>>,
+    /// Of each file, the modules of the catalogues' folders that it names, entries or not.
+    named: BTreeMap<&'a str, BTreeSet<Entry<'a>>>,
     units: BTreeMap<Entry<'a>, Unit<'a>>,
     engine: Digest,
     dependencies: Digest,
@@ -81,10 +83,11 @@ impl<'a> Sources<'a> {
     pub fn new(files: impl IntoIterator<Item = (&'a str, &'a [u8])>, locked: &str) -> Self {
         let files: BTreeMap<_, _> = files.into_iter().collect();
         let listed = entries(&files);
-        let files = files.into_iter().map(|(file, bytes)| (file, computing(file, bytes))).collect();
+        let files: BTreeMap<_, _> = files.into_iter().map(|(file, bytes)| (file, computing(file, bytes))).collect();
+        let named = named(&files, &listed);
         let dependencies = dependencies(locked);
-        let entries = listed.clone();
-        let mut sources = Self { files, entries, listed, units: BTreeMap::new(), engine: dependencies, dependencies };
+        let (entries, units, engine) = (listed.clone(), BTreeMap::new(), dependencies);
+        let mut sources = Self { files, entries, listed, named, units, engine, dependencies };
         sources.entries.extend(sources.linking());
         sources.units = sources.entries.iter().filter_map(|&entry| Some((entry, sources.unit(entry)?))).collect();
         sources.engine = sources.digest_engine();
@@ -158,13 +161,8 @@ impl<'a> Sources<'a> {
 
     /// The entries that the file uses.
     fn uses(&self, file: &'a str) -> BTreeSet<Entry<'a>> {
-        if !is_rust(file) {
-            return BTreeSet::new();
-        }
-        let tokens = kept(file, lex::tokens(self.computing(file)));
-        let folder = file.split_once('/').map_or("", |(folder, _)| folder);
-        let found = uses::uses(&tokens, folder, &self.entries);
-        self.entries.iter().copied().filter(|entry| found.contains(entry)).collect()
+        let named = self.named.get(file).into_iter().flatten();
+        named.copied().filter(|module| self.entries.contains(module)).collect()
     }
 
     /// The files of an entry: `folder/name.rs`, and all below `folder/name/`.
@@ -250,6 +248,26 @@ fn entries<'a>(files: &BTreeMap<&'a str, &'a [u8]>) -> BTreeSet<Entry<'a>> {
         found.extend(uses::catalogue(&lex::tokens(text)).0.into_iter().map(|name| (folder, name)));
     }
     found
+}
+
+/// Of each file, the modules of the catalogues' folders that it names: every file is read once, whatever turns out to be an entry.
+fn named<'a>(
+    files: &BTreeMap<&'a str, String>,
+    listed: &BTreeSet<Entry<'a>>,
+) -> BTreeMap<&'a str, BTreeSet<Entry<'a>>> {
+    let module = |file: &'a str| {
+        let (folder, rest) = file.split_once('/')?;
+        let name = rest.split_once('/').map_or_else(|| rest.strip_suffix(".rs"), |(name, _)| Some(name))?;
+        listed.iter().any(|entry| entry.0 == folder).then_some((folder, name))
+    };
+    let modules: BTreeSet<Entry<'a>> = files.keys().copied().filter_map(module).chain(listed.iter().copied()).collect();
+    let named = files.iter().filter(|(file, text)| is_rust(file) && !text.is_empty()).map(|(&file, text)| {
+        let tokens = kept(file, lex::tokens(text));
+        let folder = file.split_once('/').map_or("", |(folder, _)| folder);
+        let found = uses::uses(&tokens, folder, &modules);
+        (file, modules.iter().copied().filter(|module| found.contains(module)).collect())
+    });
+    named.collect()
 }
 
 /// What of a file computes: all but its tests and, in a kind, its `mod drawing`. Line ends count as one character.

@@ -211,7 +211,7 @@ fn a_damaged_cache_is_computed_again_and_mended() {
         |bytes| bytes[..bytes.len() / 2].to_vec(),
         |bytes| bytes[..bytes.len() - 1].to_vec(),
         |bytes| {
-            bytes.iter().enumerate().map(|(at, byte)| if at == bytes.len() - 9 { byte ^ 4 } else { *byte }).collect()
+            bytes.iter().enumerate().map(|(at, byte)| if at == bytes.len() - 4 { byte ^ 4 } else { *byte }).collect()
         },
         |bytes| b"nonsense".iter().chain(bytes).copied().collect(),
     ];
