@@ -145,8 +145,7 @@ fn place(path: String, bytes: Vec<u8>, workspace: &mut Workspace, diagnostics: &
 
 /// Whether the tool reads the file as text.
 fn is_text(path: &str) -> bool {
-    const TEXTS: &[&str] =
-        &["md", "csl", "xml", "toml", "bib", "html", "css", "js", "c", "h", "rs", "py", "r", "jl"];
+    const TEXTS: &[&str] = &["md", "csl", "xml", "toml", "bib", "html", "css", "js", "c", "h", "rs", "py", "r", "jl"];
     extension(path).is_some_and(|extension| TEXTS.contains(&extension))
 }
 

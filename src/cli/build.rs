@@ -50,11 +50,12 @@ fn summary(composed: &Composed, outcome: write::Outcome, start: Instant, options
         write::Outcome::Unchanged => "nothing changed in",
     };
     format!(
-        "{what} {}: {} chapters, {} exhibits ({ran} of {} experiments ran), {claims} claims verified, {:.2} s",
+        "{what} {}: {}, {} ({ran} of {} ran), {} verified, {:.2} s",
         place.display(),
-        composed.course.chapters.len(),
-        composed.shown.len(),
-        composed.ran.len(),
+        report::counted(composed.course.chapters.len(), "chapter"),
+        report::counted(composed.shown.len(), "exhibit"),
+        report::counted(composed.ran.len(), "experiment"),
+        report::counted(claims, "claim"),
         start.elapsed().as_secs_f64()
     )
 }

@@ -12,7 +12,11 @@ pub(super) fn run(options: &Options) -> Exit {
     if exit == Exit::Fine {
         let exhibits = planned.plan.exhibits.len();
         report::say(
-            &format!("{} chapters and {exhibits} exhibits are well written", planned.course.chapters.len()),
+            &format!(
+                "well written: {}, {}",
+                report::counted(planned.course.chapters.len(), "chapter"),
+                report::counted(exhibits, "exhibit")
+            ),
             options,
         );
     }

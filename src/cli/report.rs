@@ -126,14 +126,15 @@ fn github(diagnostic: &Diagnostic, workspace: &Workspace) -> String {
     format!("::{} {place}title={}::{}", severity(diagnostic), property(diagnostic.code.id()), data(&text))
 }
 
+/// So many of what `word` is the singular of.
+pub(super) fn counted(count: usize, word: &str) -> String {
+    if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") }
+}
+
 /// How many errors and warnings there are, in words; nothing if there are none.
 fn count(found: &[Diagnostic]) -> String {
     let errors = found.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count();
-    let of = |count: usize, word: &str| match count {
-        0 => None,
-        1 => Some(format!("1 {word}")),
-        many => Some(format!("{many} {word}s")),
-    };
+    let of = |count: usize, word: &str| (count > 0).then(|| counted(count, word));
     let parts: Vec<String> = of(errors, "error").into_iter().chain(of(found.len() - errors, "warning")).collect();
     if parts.is_empty() { String::new() } else { format!("{}\n", parts.join(" and ")) }
 }

@@ -20,7 +20,8 @@ pub(super) fn run(options: &Options) -> Exit {
     if exit == Exit::Fine {
         let claims: usize = composed.shown.iter().map(|shown| shown.verdicts.len()).sum();
         let exhibits = composed.shown.len();
-        report::say(&format!("{exhibits} exhibits are as in the lock, and {claims} claims hold"), options);
+        let (exhibits, claims) = (report::counted(exhibits, "exhibit"), report::counted(claims, "claim"));
+        report::say(&format!("as in the lock: {exhibits}; verified: {claims}"), options);
     }
     exit
 }

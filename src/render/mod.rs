@@ -10,7 +10,7 @@ mod templates;
 
 use std::collections::BTreeMap;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Code, Diagnostic};
 use crate::exhibits::Shown;
 use crate::parse::Course;
 use crate::plan::{Converter, Plan};
@@ -61,9 +61,13 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     book.files.extend(rendering.templates.assets());
     book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
     for (path, bytes) in &workspace.blobs {
-        if let Some(path) = path.strip_prefix(CHAPTERS).and_then(|path| path.strip_prefix('/')) {
-            book.files.insert(path.to_owned(), bytes.to_vec());
+        let Some(name) = path.strip_prefix(CHAPTERS).and_then(|path| path.strip_prefix('/')) else { continue };
+        if book.files.contains_key(name) {
+            let message = format!("`{path}` has the name of a file that the book makes itself");
+            diagnostics.push(Diagnostic::error(Code::Configuration, message).help("give it another name"));
+            continue;
         }
+        book.files.insert(name.to_owned(), bytes.to_vec());
     }
     (book, diagnostics)
 }

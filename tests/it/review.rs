@@ -41,7 +41,7 @@ fn verify_needs_a_lock_and_passes_after_accept() {
     assert!(said.err.contains("W0204"), "{}", said.err);
     course.fine(&["accept"]);
     let said = course.fine(&["verify"]);
-    assert!(said.err.contains("2 exhibits are as in the lock, and 1 claims hold"), "{}", said.err);
+    assert!(said.err.contains("as in the lock: 2 exhibits; verified: 1 claim"), "{}", said.err);
     course.write("book/workbook.lock", "format = 1\n[exhibit.fig-points\n");
     let said = course.say(&["verify", "--quiet"]);
     assert_eq!(said.exit, 1);
