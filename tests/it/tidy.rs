@@ -332,10 +332,10 @@ fn no_text_names_a_machine() {
         found.map(|folder| format!("{path}: {folder}"))
     };
     none(&texts.iter().filter_map(named).collect::<Vec<_>>(), "no committed text names a folder of some machine");
-    let index = "registry+https://github.com/rust-lang/crates.io-index";
-    let sources = texts["Cargo.lock"].lines().filter_map(|line| line.strip_prefix("source = "));
-    let other: Vec<_> = sources.filter(|source| source.trim_matches('"') != index).map(str::to_owned).collect();
-    none(&other, "packages are locked to the public index");
+    let sources: BTreeSet<&str> =
+        texts["Cargo.lock"].lines().filter_map(|line| line.strip_prefix("source = ")).collect();
+    let indexed = sources.iter().all(|source| source.starts_with("\"registry+https://"));
+    assert!(sources.len() == 1 && indexed, "packages are locked to one public index: {sources:?}");
     let configured: Vec<_> = texts.keys().filter(|path| path.starts_with(".cargo/")).cloned().collect();
     none(&configured, "no machine's settings are committed");
 }
