@@ -5,7 +5,9 @@ use std::io::{IsTerminal, Write, stderr, stdout};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use serde_json::json;
 
-use super::{Format, Options};
+use super::{Exit, Format, Options};
+use crate::catalogue::nearest;
+use crate::compose::Planned;
 use crate::diag::{Diagnostic, Place, Severity};
 use crate::workspace::Workspace;
 
@@ -28,6 +30,15 @@ pub(super) fn diagnostics(found: &[Diagnostic], workspace: &Workspace, options: 
     } else {
         to_stdout(&text);
     }
+}
+
+/// Tells that no exhibit that is right has this id: what is wrong with the course may be why.
+pub(super) fn no_exhibit(id: &str, planned: &Planned, options: &Options) -> Exit {
+    diagnostics(&planned.diagnostics, &planned.workspace, options);
+    let ids = planned.plan.exhibits.iter().map(|exhibit| exhibit.id.as_str());
+    let near = nearest(id, ids).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+    say(&format!("no exhibit that is right has the id `{id}`{near}"), options);
+    Exit::Call
 }
 
 /// Writes a line for people, unless they asked for quiet.

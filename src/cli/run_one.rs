@@ -7,7 +7,6 @@ use serde_json::{Map, Value as Json, json};
 
 use super::progress::Progress;
 use super::{Exit, Format, Options, report};
-use crate::catalogue::nearest;
 use crate::compose::{check, job};
 use crate::diag::Diagnostic;
 use crate::kinds::{Outcome, Value};
@@ -25,11 +24,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
     let request = options.request();
     let planned = check(&request);
     let Some(exhibit) = planned.plan.exhibit(&arguments.id) else {
-        report::diagnostics(&planned.diagnostics, &planned.workspace, options);
-        let ids = planned.plan.exhibits.iter().map(|exhibit| exhibit.id.as_str());
-        let near = nearest(&arguments.id, ids).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-        report::say(&format!("no exhibit that is right has the id `{}`{near}", arguments.id), options);
-        return Exit::Call;
+        return report::no_exhibit(&arguments.id, &planned, options);
     };
     let ran = run::run(vec![job(exhibit)], request.cache().as_ref(), request.threads, &Progress::new(options));
     match ran.first().map(|ran| &ran.outcome) {

@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 use clap::Args;
 
 use super::{Exit, Options, report};
-use crate::catalogue::nearest;
 use crate::compose::{cache, check, job};
 use crate::run::{How, Why, status};
 
@@ -18,11 +17,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
     let planned = check(&options.request());
     let Some(exhibit) = planned.plan.exhibit(&arguments.id) else {
-        report::diagnostics(&planned.diagnostics, &planned.workspace, options);
-        let ids = planned.plan.exhibits.iter().map(|exhibit| exhibit.id.as_str());
-        let near = nearest(&arguments.id, ids).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-        report::say(&format!("no exhibit that is right has the id `{}`{near}", arguments.id), options);
-        return Exit::Call;
+        return report::no_exhibit(&arguments.id, &planned, options);
     };
     let cache = cache(&options.root);
     let job = job(exhibit);

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use toml::de::{DeTable, DeValue};
+use toml::de::DeValue;
 
+use super::source_map::SourceMap;
+use super::toml_text;
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic};
 use crate::parameters::{Complaint, Fields, Parameters, parameters};
@@ -69,11 +71,8 @@ pub struct Configuration {
 /// Reads the configuration; what is missing or wrong is told, and the default stands in.
 pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> Configuration {
     let Some(source) = workspace.text(CONFIGURATION) else { return Configuration::default() };
-    let (table, errors) = DeTable::parse_recoverable(&source.text);
-    for error in errors {
-        let range = error.span().unwrap_or(0..0);
-        diagnostics.push(Diagnostic::error(Code::Toml, error.message().to_owned()).at(&source.path, range));
-    }
+    let map = SourceMap::whole(0, source.text.len());
+    let table = toml_text::table(&source.text, &source.path, &map, diagnostics);
     let mut fields = Fields::plain(table.get_ref());
     let head = Head::read(&mut fields);
     let mut configuration = Configuration { seed: 1, ..Configuration::default() };

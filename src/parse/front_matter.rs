@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use toml::de::DeTable;
-
+use super::source_map::SourceMap;
+use super::toml_text;
 use crate::diag::{Code, Diagnostic};
 use crate::parameters::{Fields, Parameters, parameters};
 use crate::workspace::Source;
@@ -34,18 +34,14 @@ pub(super) fn read(range: Option<Range<usize>>, source: &Source, diagnostics: &m
         diagnostics.push(error.help("begin it with lines `+++`, `title = \"…\"`, `summary = \"…\"`, `+++`"));
         return FrontMatter::default();
     };
-    let shift = |inner: Range<usize>| range.start + inner.start..range.start + inner.end;
-    let (table, errors) = DeTable::parse_recoverable(&source.text[range.clone()]);
-    for error in errors {
-        let place = shift(error.span().unwrap_or(0..0));
-        diagnostics.push(Diagnostic::error(Code::Toml, error.message().to_owned()).at(&source.path, place));
-    }
+    let map = SourceMap::whole(range.start, range.len());
+    let table = toml_text::table(&source.text[range], &source.path, &map, diagnostics);
     let mut fields = Fields::plain(table.get_ref());
     let written = Written::read(&mut fields);
     fields.finish(&["title", "summary"]);
     for complaint in fields.complaints {
         let mut diagnostic =
-            Diagnostic::error(complaint.code, complaint.message).at(&source.path, shift(complaint.range));
+            Diagnostic::error(complaint.code, complaint.message).at(&source.path, map.range(complaint.range));
         diagnostic.help = complaint.help;
         diagnostics.push(diagnostic);
     }

@@ -11,6 +11,7 @@ mod front_matter;
 mod inline;
 mod node;
 mod source_map;
+mod toml_text;
 
 use std::sync::Arc;
 
@@ -23,6 +24,7 @@ pub use fence::Fence;
 pub use front_matter::FrontMatter;
 pub use node::{Callout, CalloutKind, Cited, Formula, Label, Node, ValueUse, What};
 pub use source_map::SourceMap;
+pub use toml_text::table;
 
 /// A chapter as written.
 #[derive(Debug, Clone)]

@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use toml::de::DeTable;
-
 use super::{Exhibit, Reading, Seen, claim};
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic, Place};
@@ -31,11 +29,7 @@ pub(super) fn read_all(
 fn read(fence: &Fence, reading: &Reading<'_>, seen: &mut Seen, diagnostics: &mut Vec<Diagnostic>) -> Option<Exhibit> {
     let file = &reading.chapter.file;
     let before = diagnostics.len();
-    let (table, errors) = DeTable::parse_recoverable(&fence.text);
-    for error in errors {
-        let range = fence.map.range(error.span().unwrap_or(0..0));
-        diagnostics.push(Diagnostic::error(Code::Toml, error.message().to_owned()).at(file, range));
-    }
+    let table = parse::table(&fence.text, file, &fence.map, diagnostics);
     let mut fields = Fields::new(table.get_ref());
     let head = read_head(&mut fields);
     let experiment = read_kind(&mut fields).and_then(|kind| kind.plan(&mut fields));

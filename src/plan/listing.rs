@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use toml::de::DeTable;
-
 use super::exhibit::{Quoted, bad_id, tell};
 use super::{Reading, Seen};
 use crate::catalogue::nearest;
@@ -65,11 +63,7 @@ pub(super) fn read_all(
 fn read(fence: &Fence, reading: &Reading<'_>, seen: &mut Seen, diagnostics: &mut Vec<Diagnostic>) -> Option<Listing> {
     let file = &reading.chapter.file;
     let before = diagnostics.len();
-    let (table, errors) = DeTable::parse_recoverable(&fence.text);
-    for error in errors {
-        let range = fence.map.range(error.span().unwrap_or(0..0));
-        diagnostics.push(Diagnostic::error(Code::Toml, error.message().to_owned()).at(file, range));
-    }
+    let table = parse::table(&fence.text, file, &fence.map, diagnostics);
     let mut fields = Fields::plain(table.get_ref());
     let written = Written::read(&mut fields);
     let caption = Quoted::read(&mut fields, "caption");

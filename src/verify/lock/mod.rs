@@ -13,8 +13,7 @@ mod write;
 
 pub use write::written;
 
-/// Where the lock is, from the course's root.
-pub const FILE: &str = "book/workbook.lock";
+pub use crate::workspace::LOCK as FILE;
 
 /// The version of the lock's format.
 pub const FORMAT: i64 = 1;
