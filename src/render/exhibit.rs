@@ -113,7 +113,7 @@ pub(super) fn listing(rendering: &Rendering<'_>, listing: &Listing) -> (String, 
 }
 
 /// What a reader calls the thing with this id, e.g. `Figure 2.3`.
-fn label(rendering: &Rendering<'_>, id: &str) -> String {
+pub(super) fn label(rendering: &Rendering<'_>, id: &str) -> String {
     rendering
         .plan
         .labels

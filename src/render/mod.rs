@@ -5,6 +5,7 @@ pub(crate) mod data;
 mod exhibit;
 pub(crate) mod machine;
 mod markdown;
+mod matter;
 mod pages;
 mod pictures;
 mod table;
