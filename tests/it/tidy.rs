@@ -19,7 +19,7 @@ use crate::course::PACKAGE;
 const LAYERS: &[&[&str]] = &[
     &["catalogue", "points", "seed", "stats", "samplers", "scrambles", "integrands", "metrics", "scenes"],
     &["diag"],
-    &["sources", "workspace"],
+    &["raster", "sources", "workspace"],
     &["parameters"],
     &["chart"],
     &["kinds"],
