@@ -9,6 +9,7 @@
 mod axis;
 mod backend;
 mod direct;
+mod disk;
 mod draw;
 mod error;
 mod geometry;
@@ -21,16 +22,19 @@ pub mod palette;
 mod panel;
 mod resolve;
 mod shape;
+mod stepper;
 pub mod strata;
 mod table;
 mod text;
 mod ticks;
 
 pub use axis::Axis;
+pub use disk::{Disks, Segments};
 pub use error::ChartError;
 pub use layer::{Area, Band, Bars, Corner, ErrorBars, Layer, Line, Marks, Note, Region, Rule};
 pub use palette::{Dash, Marker, Role, Style};
 pub use panel::{Chart, Key, Panel};
+pub use stepper::{KeyStep, MOST_STEPS, Stepper, Steps};
 pub use strata::Strata;
 pub use table::{Align, Cell, Column, Drawing, Table};
 pub use text::Rich;

@@ -1,6 +1,6 @@
 //! What a kind gives to be shown: a figure, or a table whose typed cells keep their numbers. Turning it into HTML is `render`'s.
 
-use super::{Figure, number};
+use super::{Figure, Stepper, number};
 
 /// What a kind draws.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,6 +9,14 @@ pub enum Drawing {
     Figure(Figure),
     /// A table.
     Table(Table),
+    /// A figure that the reader steps through.
+    Stepper(Stepper),
+}
+
+impl From<Stepper> for Drawing {
+    fn from(stepper: Stepper) -> Self {
+        Self::Stepper(stepper)
+    }
 }
 
 impl From<Figure> for Drawing {
@@ -29,6 +37,7 @@ impl Drawing {
         match self {
             Self::Figure(figure) => figure.svg.clone(),
             Self::Table(table) => table.text(),
+            Self::Stepper(stepper) => stepper.text(),
         }
     }
 }

@@ -5,6 +5,7 @@ mod exhibit;
 pub(crate) mod machine;
 mod markdown;
 mod pages;
+mod stepper;
 mod table;
 mod templates;
 
