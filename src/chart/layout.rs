@@ -102,7 +102,9 @@ fn direct(chart: &Chart, width: f64) -> (bool, Option<f64>) {
             | Layer::Bars(super::Bars { label: Some(_), .. })
             | Layer::Band(super::Band { label: Some(_), .. })
             | Layer::Area(super::Area { label: Some(_), .. })
-            | Layer::ErrorBars(super::ErrorBars { label: Some(_), .. }) => others = true,
+            | Layer::ErrorBars(super::ErrorBars { label: Some(_), .. })
+            | Layer::Disks(super::Disks { label: Some(_), .. })
+            | Layer::Segments(super::Segments { label: Some(_), .. }) => others = true,
             _ => {}
         }
     }

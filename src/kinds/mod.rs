@@ -2,7 +2,8 @@
 //!
 //! To add a kind, write its file and add its two lines here: its module and its place in [`KINDS`]. Nothing else knows the
 //! kinds by name; the checks, the key, the lists, the schema and the book find them in the catalogue. The folder `experiment`
-//! holds the interface, `estimation` the running of many estimates, which several kinds share.
+//! holds the interface, `estimation` the running of many estimates, which several kinds share, `steps` what those have in common
+//! that a reader steps through.
 
 mod convergence;
 mod estimate_table;
@@ -13,6 +14,9 @@ mod histogram;
 mod points;
 mod running_mean;
 mod van_der_corput_table;
+
+mod shuffle_steps;
+mod steps;
 
 pub use experiment::{AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Value, Values};
 
@@ -25,6 +29,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &convergence::CONVERGENCE,
     &points::POINTS,
     &van_der_corput_table::VAN_DER_CORPUT_TABLE,
+    &shuffle_steps::SHUFFLE_STEPS,
 ];
 
 /// The kind whose key is `key`.

@@ -52,6 +52,7 @@ const SHARED: &[&str] = &[
     "metrics/star_space.rs",
     "kinds/estimation",
     "kinds/experiment",
+    "kinds/steps",
 ];
 
 /// Folders that are made, not written.
