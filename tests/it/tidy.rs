@@ -52,6 +52,10 @@ const SHARED: &[&str] = &[
     "metrics/star_space.rs",
     "kinds/estimation",
     "kinds/experiment",
+    "kinds/measuring.rs",
+    "kinds/placing.rs",
+    "kinds/radical.rs",
+    "kinds/worst_box.rs",
 ];
 
 /// Folders that are made, not written.
