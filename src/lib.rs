@@ -51,6 +51,8 @@ pub mod parse;
 #[cfg(feature = "publish")]
 pub mod plan;
 #[cfg(feature = "publish")]
+pub mod raster;
+#[cfg(feature = "publish")]
 pub mod render;
 #[cfg(feature = "publish")]
 pub mod run;

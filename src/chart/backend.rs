@@ -59,6 +59,19 @@ impl<'a> Backend<'a> {
         writeln!(out, " d=\"{data}\"/>").map_err(wrong)
     }
 
+    /// Writes a PNG in Base64 between two opposite corners, each of its pixels sharp.
+    pub fn image(&mut self, data: &str, from: BackendCoord, to: BackendCoord) -> Drawn {
+        let out = &mut *self.out;
+        let (x, y) = (from.0.min(to.0), from.1.min(to.1));
+        out.push_str("<image preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\"");
+        for (name, value) in [("x", x), ("y", y), ("width", from.0.max(to.0) - x), ("height", from.1.max(to.1) - y)] {
+            write!(out, " {name}=\"").map_err(wrong)?;
+            hundredths(value, out);
+            out.push('"');
+        }
+        writeln!(out, " href=\"data:image/png;base64,{data}\"/>").map_err(wrong)
+    }
+
     /// Writes text; `bold` for titles.
     pub fn text(&mut self, rich: &Rich, at: BackendCoord, anchor: (HPos, VPos), role: Role, bold: bool) -> Drawn {
         let out = &mut *self.out;

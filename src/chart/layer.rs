@@ -2,6 +2,7 @@
 
 use super::palette::{Dash, Role, Style};
 use super::text::Rich;
+use crate::raster::Png;
 use crate::stats::portable;
 
 /// Something drawn on a panel's axes.
@@ -23,6 +24,8 @@ pub enum Layer {
     ErrorBars(ErrorBars),
     /// A rectangle.
     Region(Region),
+    /// A picture made of pixels.
+    Image(Image),
     /// A few words at a place.
     Note(Note),
 }
@@ -32,7 +35,7 @@ macro_rules! layers {
         fn from(layer: $name) -> Self { Self::$name(layer) }
     })+ };
 }
-layers! { Line Marks Bars Band Area Rule ErrorBars Region Note }
+layers! { Line Marks Bars Band Area Rule ErrorBars Region Image Note }
 
 macro_rules! labelled {
     ($($name:ident)+) => { $(impl $name {
@@ -257,6 +260,21 @@ impl Region {
     /// The rectangle between two opposite corners.
     pub fn new(from: (f64, f64), to: (f64, f64)) -> Self {
         Self { from, to, style: Style::new(Role::Accent).dash(Dash::Solid), label: None }
+    }
+}
+
+/// A picture made of pixels that fills the rectangle between two corners.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Image {
+    pub(super) from: (f64, f64),
+    pub(super) to: (f64, f64),
+    pub(super) png: Png,
+}
+
+impl Image {
+    /// The picture, its top row at the larger y, between two opposite corners.
+    pub fn new(from: (f64, f64), to: (f64, f64), png: Png) -> Self {
+        Self { from, to, png }
     }
 }
 

@@ -44,7 +44,7 @@ impl Entry {
             Layer::Band(band) => (&band.label, band.style, Swatch::Block),
             Layer::Area(area) => (&area.label, area.style, Swatch::Block),
             // These carry their names where they are.
-            Layer::Rule(_) | Layer::Region(_) | Layer::Note(_) => return None,
+            Layer::Rule(_) | Layer::Region(_) | Layer::Image(_) | Layer::Note(_) => return None,
         };
         Some(Self { label: label.clone()?, style, swatch })
     }

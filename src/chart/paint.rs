@@ -10,7 +10,7 @@ use super::resolve::{between, positions, rectangles, under};
 use super::shape::{Ink, Kind, Shape};
 use super::strata::{self, Strata};
 use super::text::Rich;
-use super::{ChartError, Corner, ErrorBars, Layer, Line, Marks, Note, Region, Rule};
+use super::{ChartError, Corner, ErrorBars, Image, Layer, Line, Marks, Note, Region, Rule};
 use plotters::element::{PathElement, Rectangle};
 use plotters_backend::text_anchor::{HPos, VPos};
 
@@ -55,6 +55,7 @@ impl<'p> Painter<'p, '_> {
             }
             Layer::Rule(rule) => self.rule(rule),
             Layer::Region(region) => self.region(region),
+            Layer::Image(image) => self.image(image),
             Layer::Note(note) => self.note(note),
         }
     }
@@ -225,6 +226,16 @@ impl<'p> Painter<'p, '_> {
         let (one, two) = (self.axes.map_coordinate(&corners[0]), self.axes.map_coordinate(&corners[1]));
         let at = (f64::from(one.0.min(two.0)) / UNIT + 5.0, f64::from(one.1.min(two.1)) / UNIT + 5.0);
         self.page.text(label, at, (HPos::Left, VPos::Top), Role::Ink, false)
+    }
+
+    /// A picture is drawn whole or, where it reaches beyond the axes, not at all: it cannot be cut.
+    fn image(&mut self, image: &Image) -> Result<(), ChartError> {
+        let corners = positions(&[image.from, image.to], self.plot.panel.x.scale, self.plot.panel.y.scale);
+        let [Some(a), Some(b)] = corners[..] else { return Ok(()) };
+        if !(self.plot.window.contains(a) && self.plot.window.contains(b)) {
+            return Err(ChartError::Drawing("a picture reaches beyond the axes".to_owned()));
+        }
+        self.shape(vec![a, b], Kind::Image(image.png.base64()))
     }
 
     fn note(&mut self, note: &Note) -> Result<(), ChartError> {

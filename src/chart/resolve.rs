@@ -89,6 +89,10 @@ impl Extent {
                 self.point(region.from, sx, sy);
                 self.point(region.to, sx, sy);
             }
+            Layer::Image(image) => {
+                self.point(image.from, sx, sy);
+                self.point(image.to, sx, sy);
+            }
             Layer::Rule(rule) => {
                 let (scale, span) = if rule.vertical { (sx, &mut self.x) } else { (sy, &mut self.y) };
                 match scale.position(rule.at) {

@@ -58,6 +58,8 @@ pub(super) enum Kind {
     Fill(Vec<usize>, Ink),
     /// Marks of a diameter in hundredths.
     Marks(Marker, i32, Role),
+    /// A PNG in Base64 between two opposite corners.
+    Image(String),
     /// Text at each point: one.
     Text { text: Rich, anchor: (HPos, VPos), role: Role, bold: bool },
 }
@@ -84,6 +86,10 @@ impl<C> Drawable<Backend<'_>> for Shape<C> {
             Kind::Stroke(ends, ink) => backend.stroke(&pieces(at, ends, false), *ink),
             Kind::Fill(ends, ink) => backend.fill(&pieces(at, ends, true), ink.role, ink.opacity, false),
             Kind::Marks(marker, size, role) => marks(at, *marker, *size, *role, backend),
+            Kind::Image(data) => {
+                let at: Vec<BackendCoord> = at.collect();
+                if let [from, to] = at[..] { backend.image(data, from, to) } else { Ok(()) }
+            }
             Kind::Text { text, anchor, role, bold } => {
                 for at in at {
                     backend.text(text, at, *anchor, *role, *bold)?;

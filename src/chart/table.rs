@@ -1,37 +1,6 @@
-//! What a kind gives to be shown: a figure, or a table whose typed cells keep their numbers. Turning it into HTML is `render`'s.
+//! Tables, whose typed cells keep their numbers. Turning them into HTML is `render`'s.
 
-use super::{Figure, number};
-
-/// What a kind draws.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Drawing {
-    /// An SVG.
-    Figure(Figure),
-    /// A table.
-    Table(Table),
-}
-
-impl From<Figure> for Drawing {
-    fn from(figure: Figure) -> Self {
-        Self::Figure(figure)
-    }
-}
-
-impl From<Table> for Drawing {
-    fn from(table: Table) -> Self {
-        Self::Table(table)
-    }
-}
-
-impl Drawing {
-    /// Everything of it that a reader can see, as text: what the lock's digest of a drawing covers.
-    pub fn text(&self) -> String {
-        match self {
-            Self::Figure(figure) => figure.svg.clone(),
-            Self::Table(table) => table.text(),
-        }
-    }
-}
+use super::number;
 
 /// How a column stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

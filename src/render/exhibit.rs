@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::markdown::Writer;
-use super::{Rendering, table};
+use super::{Rendering, pictures, table};
 use crate::chart::Drawing;
 use crate::diag::Diagnostic;
 use crate::exhibits::Verdict;
@@ -28,6 +28,13 @@ struct ExhibitContext<'a> {
     key: &'a str,
     claims: Vec<ClaimContext>,
     parameters: Vec<ParameterContext>,
+    downloads: Vec<DownloadContext<'a>>,
+}
+
+#[derive(Serialize)]
+struct DownloadContext<'a> {
+    href: &'a str,
+    label: &'a str,
 }
 
 #[derive(Serialize)]
@@ -68,7 +75,9 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
     let (class, body, width) = match &shown.drawing {
         Drawing::Figure(figure) => ("figure", figure.svg.clone(), Some(figure.width)),
         Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter), None),
+        Drawing::Pictures(drawn) => ("pictures", pictures::html(&exhibit.id, drawn, &rendering.converter), None),
     };
+    let downloads = rendering.files[index].iter();
     let context = ExhibitContext {
         id: &exhibit.id,
         class,
@@ -82,6 +91,7 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
         key: &shown.key[..SHORT_KEY.min(shown.key.len())],
         claims: claims(&shown.verdicts, exhibit),
         parameters: parameters(exhibit),
+        downloads: downloads.map(|file| DownloadContext { href: &file.path, label: &file.label }).collect(),
     };
     let html = rendering.templates.fill("exhibit.html", &ExhibitPart { exhibit: context }, &mut diagnostics);
     (html, diagnostics)

@@ -58,7 +58,7 @@ fn content(cell: &Cell, converter: &Converter) -> String {
 }
 
 /// Plain words with LaTeX between dollars.
-fn prose(text: &str, converter: &Converter) -> String {
+pub(super) fn prose(text: &str, converter: &Converter) -> String {
     let mut out = String::new();
     for (index, part) in text.split('$').enumerate() {
         if index % 2 == 0 { out.push_str(&escape(part)) } else { out.push_str(&formula(part, converter)) }

@@ -18,7 +18,7 @@ use crate::course::PACKAGE;
 const LAYERS: &[&[&str]] = &[
     &["catalogue", "points", "seed", "stats", "samplers", "scrambles", "integrands", "metrics"],
     &["diag"],
-    &["sources", "workspace"],
+    &["raster", "sources", "workspace"],
     &["parameters"],
     &["chart"],
     &["kinds"],
