@@ -124,18 +124,26 @@ pub struct Marks {
     pub(super) names: Vec<Rich>,
     pub(super) size: Option<f64>,
     pub(super) tracked: Option<&'static str>,
+    pub(super) among: usize,
 }
 
 impl Marks {
     /// Marks in the style's shape, of a size that suits their number.
     pub fn new(points: Vec<(f64, f64)>) -> Self {
-        Self { points, style: Style::INK, label: None, names: Vec::new(), size: None, tracked: None }
+        Self { points, style: Style::INK, label: None, names: Vec::new(), size: None, tracked: None, among: 0 }
     }
 
     /// With a name beside each point, in the order of the points.
     #[must_use]
     pub fn names<T: Into<Rich>>(mut self, names: impl IntoIterator<Item = T>) -> Self {
         self.names = names.into_iter().map(Into::into).collect();
+        self
+    }
+
+    /// As some of `count` marks, of a size that suits all of them.
+    #[must_use]
+    pub fn among(mut self, count: usize) -> Self {
+        self.among = count;
         self
     }
 

@@ -96,7 +96,7 @@ impl<'p> Painter<'p, '_> {
         let places = positions(&marks.points, panel.x.scale, panel.y.scale);
         let on = |p: &(f64, f64)| self.plot.window.contains(*p);
         let points: Vec<(f64, f64)> = places.iter().flatten().copied().filter(on).collect();
-        let size = marks.size.unwrap_or_else(|| size(points.len(), self.side()));
+        let size = marks.size.unwrap_or_else(|| size(points.len().max(marks.among), self.side()));
         let points = if panel.square { self.inside(points) } else { points };
         for (place, name) in places.iter().zip(&marks.names) {
             let Some(place) = place.filter(on) else { continue };
@@ -107,7 +107,7 @@ impl<'p> Painter<'p, '_> {
         }
         let diameter = (size.clamp(0.3, 40.0) * UNIT).round() as i32;
         // Shapes tell small series apart; of many marks they would only blur the pattern.
-        let marker = if places.len() > 300 { Marker::Disc } else { marks.style.marker };
+        let marker = if places.len().max(marks.among) > 300 { Marker::Disc } else { marks.style.marker };
         let kind = Kind::Marks(marker, diameter, marks.style.role);
         let Some(name) = marks.tracked else { return self.shape(points, kind) };
         for (index, point) in points.into_iter().enumerate() {

@@ -5,20 +5,36 @@
 //! holds the interface, `estimation` the running of many estimates, which several kinds share, `steps` what those have in common
 //! that a reader steps through.
 
+mod bit_reversal;
 mod convergence;
+mod digits;
+mod discrepancy;
+mod enumeration;
 mod estimate_table;
 mod estimation;
 mod experiment;
 mod function;
+mod guarantees;
 mod histogram;
+mod koksma_hlawka;
+mod measures;
+mod measuring;
+mod occupancy;
+mod placing;
 mod points;
+mod projections;
+mod radical;
 mod running_mean;
+mod strata_count;
 mod van_der_corput_table;
+mod worst_box;
 
 mod shuffle_steps;
 mod steps;
 
-pub use experiment::{AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Value, Values};
+pub use experiment::{
+    AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
+};
 
 /// Every kind, in the order of display.
 pub static KINDS: &[&dyn AnyKind] = &[
@@ -28,6 +44,16 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &histogram::HISTOGRAM,
     &convergence::CONVERGENCE,
     &points::POINTS,
+    &projections::PROJECTIONS,
+    &strata_count::STRATA_COUNT,
+    &discrepancy::DISCREPANCY,
+    &measures::MEASURES,
+    &koksma_hlawka::KOKSMA_HLAWKA,
+    &occupancy::OCCUPANCY,
+    &guarantees::GUARANTEES,
+    &enumeration::ENUMERATION,
+    &digits::DIGITS,
+    &bit_reversal::BIT_REVERSAL,
     &van_der_corput_table::VAN_DER_CORPUT_TABLE,
     &shuffle_steps::SHUFFLE_STEPS,
 ];

@@ -53,6 +53,10 @@ const SHARED: &[&str] = &[
     "kinds/estimation",
     "kinds/experiment",
     "kinds/steps",
+    "kinds/measuring.rs",
+    "kinds/placing.rs",
+    "kinds/radical.rs",
+    "kinds/worst_box.rs",
 ];
 
 /// Folders that are made, not written.
