@@ -35,6 +35,7 @@ const LAYERS: &[&[&str]] = &[
 
 /// Files in the folders of catalogues that are no entries: what entries share.
 const SHARED: &[&str] = &[
+    "samplers/axes.rs",
     "samplers/batch.rs",
     "samplers/data",
     "samplers/digits.rs",
@@ -42,6 +43,8 @@ const SHARED: &[&str] = &[
     "samplers/method.rs",
     "samplers/poisson.rs",
     "samplers/refused.rs",
+    "samplers/settings.rs",
+    "samplers/sides.rs",
     "scrambles/walk.rs",
     "integrands/expression",
     "integrands/function.rs",
