@@ -15,7 +15,7 @@
 //!
 //! # The mathematics
 //!
-//! `samplers`, `scrambles`, `integrands` and `stats` know no chapter, file, thread or plot, and build alone with
+//! `samplers`, `scrambles`, `integrands`, `scenes` and `stats` know no chapter, file, thread or plot, and build alone with
 //! `--no-default-features`. Each method is one file, named in its folder's catalogue.
 //!
 //! # Invariants
@@ -28,6 +28,7 @@ pub mod integrands;
 pub mod metrics;
 pub mod points;
 pub mod samplers;
+pub mod scenes;
 pub mod scrambles;
 pub mod seed;
 pub mod stats;

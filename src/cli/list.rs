@@ -11,6 +11,7 @@ use crate::compose::check;
 use crate::integrands::INTEGRANDS;
 use crate::kinds::{self, KINDS};
 use crate::samplers::SAMPLERS;
+use crate::scenes::SCENES;
 use crate::scrambles::SCRAMBLES;
 
 #[derive(Args)]
@@ -27,6 +28,7 @@ enum Catalogue {
     Samplers,
     Scrambles,
     Integrands,
+    Scenes,
     Kinds,
     Exhibits,
 }
@@ -39,6 +41,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
         Catalogue::Samplers => SAMPLERS.iter().map(|entry| entry.about()).collect(),
         Catalogue::Scrambles => SCRAMBLES.iter().map(|entry| entry.about()).collect(),
         Catalogue::Integrands => INTEGRANDS.iter().map(|entry| entry.about()).collect(),
+        Catalogue::Scenes => SCENES.iter().map(|entry| entry.about()).collect(),
         Catalogue::Kinds => KINDS.iter().map(|entry| entry.about()).collect(),
         Catalogue::Exhibits => return exhibits(options),
     };
