@@ -25,6 +25,7 @@ mod points;
 mod projections;
 mod radical;
 mod running_mean;
+mod spectrum;
 mod strata_count;
 mod van_der_corput_table;
 mod worst_box;
@@ -46,6 +47,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &points::POINTS,
     &projections::PROJECTIONS,
     &strata_count::STRATA_COUNT,
+    &spectrum::SPECTRUM,
     &discrepancy::DISCREPANCY,
     &measures::MEASURES,
     &koksma_hlawka::KOKSMA_HLAWKA,
