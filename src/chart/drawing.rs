@@ -1,6 +1,6 @@
 //! What a kind gives to be shown.
 
-use super::{Figure, Pictures, Table};
+use super::{Figure, Pictures, Stepper, Table};
 
 /// What a kind draws.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,6 +9,8 @@ pub enum Drawing {
     Figure(Figure),
     /// A table.
     Table(Table),
+    /// A figure that the reader steps through.
+    Stepper(Stepper),
     /// Pictures made of pixels.
     Pictures(Pictures),
 }
@@ -25,6 +27,12 @@ impl From<Table> for Drawing {
     }
 }
 
+impl From<Stepper> for Drawing {
+    fn from(stepper: Stepper) -> Self {
+        Self::Stepper(stepper)
+    }
+}
+
 impl From<Pictures> for Drawing {
     fn from(pictures: Pictures) -> Self {
         Self::Pictures(pictures)
@@ -37,6 +45,7 @@ impl Drawing {
         match self {
             Self::Figure(figure) => figure.svg.clone(),
             Self::Table(table) => table.text(),
+            Self::Stepper(stepper) => stepper.text(),
             Self::Pictures(pictures) => pictures.text(),
         }
     }

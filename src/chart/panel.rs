@@ -73,6 +73,7 @@ pub struct Panel {
     pub(super) ratio: Option<f64>,
     pub(super) equal: bool,
     pub(super) square: bool,
+    pub(super) rug: bool,
 }
 
 impl Panel {
@@ -88,6 +89,7 @@ impl Panel {
             ratio: None,
             equal: false,
             square: false,
+            rug: false,
         }
     }
 
@@ -129,6 +131,13 @@ impl Panel {
     #[must_use]
     pub fn keeping(mut self, strata: Strata) -> Self {
         self.kept.push(strata);
+        self
+    }
+
+    /// With a tick above and at the right of the frame for each mark's coordinates: the projections of a point set.
+    #[must_use]
+    pub fn rug(mut self) -> Self {
+        self.rug = true;
         self
     }
 

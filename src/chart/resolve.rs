@@ -103,6 +103,14 @@ impl Extent {
                     None => self.miss(rule.at),
                 }
             }
+            Layer::Disks(disks) => {
+                let r = disks.radius;
+                disks.points.iter().for_each(|&(x, y)| {
+                    self.point((x - r, y - r), sx, sy);
+                    self.point((x + r, y + r), sx, sy);
+                });
+            }
+            Layer::Segments(lines) => lines.segments.iter().flatten().for_each(|&p| self.point(p, sx, sy)),
             Layer::Note(_) => {}
         }
     }

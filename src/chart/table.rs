@@ -59,12 +59,24 @@ pub enum Cell {
     Math(String),
     /// A literal, such as digits in a base.
     Code(String),
+    /// Whether something holds: a drawn tick or cross, and the words beside it.
+    Holds {
+        /// Whether it does.
+        holds: bool,
+        /// The words: `yes`, or in how many cases.
+        text: String,
+    },
 }
 
 impl Cell {
     /// Plain words.
     pub fn text(text: impl Into<String>) -> Self {
         Self::Text(text.into())
+    }
+
+    /// Whether something holds, as yes or no.
+    pub fn holds(holds: bool) -> Self {
+        Self::Holds { holds, text: if holds { "yes" } else { "no" }.to_owned() }
     }
 
     /// A number with so many decimals.
@@ -91,7 +103,11 @@ impl Cell {
     pub fn printed(&self) -> String {
         match self {
             Self::Empty => String::new(),
-            Self::Text(text) | Self::Math(text) | Self::Code(text) | Self::Decimal { text, .. } => text.clone(),
+            Self::Text(text)
+            | Self::Math(text)
+            | Self::Code(text)
+            | Self::Decimal { text, .. }
+            | Self::Holds { text, .. } => text.clone(),
             Self::Integer(value) => number::integer(*value),
         }
     }

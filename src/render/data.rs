@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde_json::{Map, Value as Json, json};
 
 use super::machine::number;
-use crate::chart::Drawing;
+use crate::chart::{Drawing, Stepper};
 use crate::kinds::{Entries, Frame, Outcome};
 use crate::plan::Exhibit;
 
@@ -43,7 +43,7 @@ pub(crate) fn files(exhibit: &Exhibit, outcome: &Outcome, drawing: &Drawing) -> 
     let svg = |figure: &crate::chart::Figure| file(".svg", "SVG".to_owned(), figure.svg.clone().into_bytes());
     match drawing {
         Drawing::Table(_) => {}
-        Drawing::Figure(figure) => files.push(svg(figure)),
+        Drawing::Figure(figure) | Drawing::Stepper(Stepper { figure, .. }) => files.push(svg(figure)),
         Drawing::Pictures(pictures) => {
             files.extend(pictures.chart.as_ref().map(svg));
             for (index, picture) in pictures.items.iter().enumerate() {

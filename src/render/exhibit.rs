@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::markdown::Writer;
-use super::{Rendering, pictures, table};
-use crate::chart::Drawing;
+use super::{Rendering, pictures, stepper, table};
+use crate::chart::{Drawing, Stepper};
 use crate::diag::Diagnostic;
 use crate::exhibits::Verdict;
 use crate::plan::{Exhibit, Listing, escape};
@@ -21,6 +21,7 @@ struct ExhibitContext<'a> {
     label: String,
     caption: String,
     body: String,
+    below: String,
     width: Option<f64>,
     alt: &'a str,
     kind: &'static str,
@@ -73,17 +74,24 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
     let shown = &rendering.shown[index];
     let (caption, mut diagnostics) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
     let (class, body, width) = match &shown.drawing {
-        Drawing::Figure(figure) => ("figure", figure.svg.clone(), Some(figure.width)),
+        Drawing::Figure(figure) | Drawing::Stepper(Stepper { figure, .. }) => {
+            ("figure", figure.svg.clone(), Some(figure.width))
+        }
         Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter), None),
         Drawing::Pictures(drawn) => ("pictures", pictures::html(&exhibit.id, drawn, &rendering.converter), None),
     };
     let downloads = rendering.files[index].iter();
+    let below = match &shown.drawing {
+        Drawing::Stepper(drawn) => stepper::html(&exhibit.id, drawn, rendering, &mut diagnostics),
+        _ => String::new(),
+    };
     let context = ExhibitContext {
         id: &exhibit.id,
         class,
         label: label(rendering, &exhibit.id),
         caption,
         body,
+        below,
         width,
         alt: &shown.alt,
         kind: exhibit.experiment.kind().about().key,

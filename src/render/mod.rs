@@ -8,6 +8,7 @@ mod markdown;
 mod matter;
 mod pages;
 mod pictures;
+mod stepper;
 mod table;
 mod templates;
 

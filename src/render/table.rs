@@ -49,6 +49,10 @@ fn content(cell: &Cell, converter: &Converter) -> String {
         Cell::Math(tex) => formula(tex, converter),
         Cell::Code(code) => format!("<code>{}</code>", escape(code)),
         Cell::Text(text) => prose(text, converter),
+        Cell::Holds { holds, text } => {
+            let class = if *holds { "holds" } else { "fails" };
+            format!("<span class=\"{class}\">{}</span>", escape(text))
+        }
         cell => escape(&cell.printed()),
     }
 }

@@ -36,6 +36,7 @@ const LAYERS: &[&[&str]] = &[
 
 /// Files in the folders of catalogues that are no entries: what entries share.
 const SHARED: &[&str] = &[
+    "samplers/axes.rs",
     "samplers/batch.rs",
     "samplers/data",
     "samplers/digits.rs",
@@ -43,6 +44,8 @@ const SHARED: &[&str] = &[
     "samplers/method.rs",
     "samplers/poisson.rs",
     "samplers/refused.rs",
+    "samplers/settings.rs",
+    "samplers/sides.rs",
     "scrambles/walk.rs",
     "integrands/expression",
     "integrands/function.rs",
@@ -55,6 +58,11 @@ const SHARED: &[&str] = &[
     "metrics/star_space.rs",
     "kinds/estimation",
     "kinds/experiment",
+    "kinds/steps",
+    "kinds/measuring.rs",
+    "kinds/placing.rs",
+    "kinds/radical.rs",
+    "kinds/worst_box.rs",
 ];
 
 /// Folders that are made, not written.
