@@ -2,7 +2,7 @@
 //!
 //! To add a kind, write its file and add its two lines here: its module and its place in [`KINDS`]. Nothing else knows the
 //! kinds by name; the checks, the key, the lists, the schema and the book find them in the catalogue. The folder `experiment`
-//! holds the interface, `estimation` the running of many estimates, which several kinds share, `steps` what those have in common
+//! holds the interface, `estimation` the running of many estimates, which several kinds share, `imaging` the rendering of pictures, `steps` what those have in common
 //! that a reader steps through.
 
 mod bit_reversal;
@@ -16,6 +16,7 @@ mod experiment;
 mod function;
 mod guarantees;
 mod histogram;
+mod imaging;
 mod koksma_hlawka;
 mod measures;
 mod measuring;
@@ -24,6 +25,7 @@ mod placing;
 mod points;
 mod projections;
 mod radical;
+mod render;
 mod running_mean;
 mod spectrum;
 mod strata_count;
@@ -58,6 +60,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &bit_reversal::BIT_REVERSAL,
     &van_der_corput_table::VAN_DER_CORPUT_TABLE,
     &shuffle_steps::SHUFFLE_STEPS,
+    &render::RENDER,
 ];
 
 /// The kind whose key is `key`.

@@ -58,6 +58,7 @@ const SHARED: &[&str] = &[
     "metrics/star_space.rs",
     "kinds/estimation",
     "kinds/experiment",
+    "kinds/imaging",
     "kinds/steps",
     "kinds/measuring.rs",
     "kinds/placing.rs",
