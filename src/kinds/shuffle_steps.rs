@@ -12,7 +12,8 @@ use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
 use crate::parameters::{choices, parameters};
 use crate::samplers::Method;
-use crate::samplers::digits::{cuts, within};
+use crate::samplers::digits::within;
+use crate::samplers::{Sampler as _, multi_jittered};
 use crate::seed::Seed;
 
 /// The kind `shuffle-steps`.
@@ -107,7 +108,7 @@ impl Kind for ShuffleStepsKind {
         };
         let drawn = method(p).and_then(|method| method.points(p.n, 2, stream).ok());
         let agrees = drawn.is_some_and(|points| steps.last().is_some_and(|step| step.places == steps::places(&points)));
-        let cells = match cuts(p.n, 2)[..] {
+        let cells = match multi_jittered::PLAIN.strata(p.n, 2)[..] {
             [columns, rows] if p.sampler == Construction::Jittered => Some((columns as u32, rows as u32)),
             _ => None,
         };
@@ -177,7 +178,7 @@ fn zipped([x, y]: &[Vec<f64>; 2]) -> Vec<Place> {
 
 /// The canonical arrangement, then the shuffle of x within each column and of y within each row.
 fn jittered(n: usize, seed: Seed) -> Vec<Step> {
-    let cuts = cuts(n, 2);
+    let cuts = multi_jittered::PLAIN.strata(n, 2);
     let [columns, rows] = cuts[..] else { return Vec::new() };
     // Of each axis and stratum: the order of its slabs, and the place of each point within its slab.
     let strata = [(columns, rows), (rows, columns)];
