@@ -30,6 +30,10 @@ mod strata_count;
 mod van_der_corput_table;
 mod worst_box;
 
+mod box_steps;
+mod growth_steps;
+mod interval_steps;
+mod randomisation_steps;
 mod shuffle_steps;
 mod steps;
 
@@ -58,6 +62,10 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &bit_reversal::BIT_REVERSAL,
     &van_der_corput_table::VAN_DER_CORPUT_TABLE,
     &shuffle_steps::SHUFFLE_STEPS,
+    &growth_steps::GROWTH_STEPS,
+    &interval_steps::INTERVAL_STEPS,
+    &box_steps::BOX_STEPS,
+    &randomisation_steps::RANDOMISATION_STEPS,
 ];
 
 /// The kind whose key is `key`.

@@ -131,14 +131,7 @@ impl Kind for ShuffleStepsKind {
     }
 
     fn tables(&self, _: &ShuffleSteps, data: &Data) -> Vec<Frame> {
-        let rows = || data.steps.iter().enumerate().flat_map(|(k, step)| step.places.iter().map(move |at| (k, at)));
-        let index = data.steps.iter().flat_map(|step| 0..step.places.len());
-        let frame = Frame::new("steps")
-            .counts("step", rows().map(|(step, _)| step + 1))
-            .counts("index", index)
-            .numbers("x", rows().map(|(_, at)| at.0))
-            .numbers("y", rows().map(|(_, at)| at.1));
-        vec![frame]
+        vec![steps::table(data.steps.iter().map(|step| step.places.as_slice()))]
     }
 
     fn draw(&self, p: &ShuffleSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -219,7 +212,7 @@ mod drawing {
 
     use super::{Construction, Data, ShuffleSteps, Step};
     use crate::chart::{
-        Chart, ChartError, Drawing, Key, Marker, Marks, Panel, Region, Role, Sheet, Steps, Strata, Style,
+        Chart, ChartError, Drawing, Key, Marker, Marks, Panel, Region, Segments, Sheet, Steps, Strata, Style,
     };
 
     pub(super) fn draw(p: &ShuffleSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -248,8 +241,8 @@ mod drawing {
             let (from, to) = if step.axis == 0 { ((low, 0.0), (high, 1.0)) } else { ((0.0, low), (1.0, high)) };
             panel = panel.with(Region::new(from, to));
         } else if step.part > 0 {
-            let ringed = step.moved.iter().filter_map(|&index| step.places.get(index as usize).copied()).collect();
-            panel = panel.with(Marks::new(ringed).style(Style::new(Role::Accent).marker(Marker::Ring)).size(20.0));
+            let moved = step.moved.iter().filter_map(|&index| step.places.get(index as usize).copied());
+            panel = panel.with(Segments::spots(moved));
         }
         let style = Style::of(p.sampler.word()).marker(Marker::Disc);
         panel.with(Marks::new(step.places.clone()).style(style).size(9.0).tracked("p"))
@@ -265,8 +258,8 @@ mod drawing {
                 let (axis, slabs) = if axis == 0 { ("x", "columns") } else { ("y", "rows") };
                 let of = format!("Shuffle of ${axis}$, swap {part} of {}", n - 1);
                 match step.moved[..] {
-                    [_, _] => format!("{of}: the two ringed points exchange their {slabs}."),
-                    _ => format!("{of}: the ringed point is drawn itself, and stays."),
+                    [_, _] => format!("{of}: the two marked points exchange their {slabs}."),
+                    _ => format!("{of}: the marked point draws itself, and stays."),
                 }
             }
             (Construction::Jittered, 0, _) => {
