@@ -31,6 +31,7 @@ pub mod samplers;
 pub mod scrambles;
 pub mod seed;
 pub mod stats;
+pub mod vectors;
 
 #[cfg(feature = "publish")]
 pub mod chart;
