@@ -33,6 +33,8 @@ mod pages;
 #[cfg(feature = "publish")]
 mod parameters;
 #[cfg(feature = "publish")]
+mod points;
+#[cfg(feature = "publish")]
 mod review;
 mod statistics;
 #[cfg(feature = "publish")]
