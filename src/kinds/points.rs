@@ -277,7 +277,7 @@ mod drawing {
 
     use super::{Data, Extra, Points, Set, Strata, cuts, side};
     use crate::chart::number::{integer, significant};
-    use crate::chart::{self, Axis, Chart, ChartError, Drawing, Key, Marks, Panel, Region, Role, Rule, Sheet, Style};
+    use crate::chart::{self, Axis, Chart, ChartError, Disks, Drawing, Key, Marks, Panel, Region, Role, Rule, Sheet, Style};
 
     pub(super) fn draw(p: &Points, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let several = data.sets.len() > 1;
@@ -299,7 +299,7 @@ mod drawing {
         let panel = strata(p, set.len(), panel);
         let panel = match (titled, p.n.as_slice().len()) {
             (true, 1) => panel.title(set.title.as_str()),
-            (true, _) => panel.title(format!("{}, *N* = {}", set.title, integer(set.len() as i64))),
+            (true, _) => panel.title(format!("{}, *N*\u{a0}=\u{a0}{}", set.title, integer(set.len() as i64))),
             _ => panel,
         };
         let panel = if p.projections && p.dimensions == 2 { panel.rug() } else { panel };
@@ -310,6 +310,10 @@ mod drawing {
                 panel.with(Region::new((0.0, 0.0), corner).style(Style::ACCENT))
             }
             None => panel,
+        };
+        let panel = match p.radius.or(set.distance.map(|distance| distance / 2.0)) {
+            Some(radius) if p.disks && p.dimensions == 2 => panel.with(disks(&points, radius, set)),
+            _ => panel,
         };
         marks(p, set, panel, points)
     }
@@ -335,6 +339,13 @@ mod drawing {
             named(sized(marks), from..to)
         });
         panel.with_all(shades.collect::<Vec<_>>())
+    }
+
+    /// The disks, with copies where they reach across a border.
+    fn disks(points: &[(f64, f64)], radius: f64, set: &Set) -> Disks {
+        let shifts = |at: f64| [-1.0, 0.0, 1.0].into_iter().filter(move |shift| (at + shift - 0.5).abs() < 0.5 + radius);
+        let copies = points.iter().flat_map(|&(x, y)| shifts(x).flat_map(move |a| shifts(y).map(move |b| (x + a, y + b))));
+        Disks::new(copies.collect(), radius).style(Style::of(&set.method))
     }
 
     /// The unit interval, as a panel of little height.
