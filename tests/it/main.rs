@@ -32,6 +32,7 @@ mod measures;
 mod pages;
 #[cfg(feature = "publish")]
 mod parameters;
+mod point_kinds;
 #[cfg(feature = "publish")]
 mod points;
 #[cfg(feature = "publish")]
