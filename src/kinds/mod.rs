@@ -14,6 +14,20 @@ mod points;
 mod running_mean;
 mod van_der_corput_table;
 
+mod bias;
+mod buffon;
+mod bug;
+mod bug_matrix;
+mod bugs;
+mod coverage;
+mod distribution;
+mod identities;
+mod importance;
+mod middle_square;
+mod quadrature;
+mod quicksort;
+mod worked_path;
+
 pub use experiment::{AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Value, Values};
 
 /// Every kind, in the order of display.
@@ -25,6 +39,18 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &convergence::CONVERGENCE,
     &points::POINTS,
     &van_der_corput_table::VAN_DER_CORPUT_TABLE,
+    &distribution::DISTRIBUTION,
+    &identities::IDENTITIES,
+    &importance::IMPORTANCE,
+    &bias::BIAS,
+    &quadrature::QUADRATURE,
+    &coverage::COVERAGE,
+    &buffon::BUFFON,
+    &middle_square::MIDDLE_SQUARE,
+    &quicksort::QUICKSORT,
+    &worked_path::WORKED_PATH,
+    &bug::BUG,
+    &bug_matrix::BUG_MATRIX,
 ];
 
 /// The kind whose key is `key`.

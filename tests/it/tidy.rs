@@ -50,6 +50,7 @@ const SHARED: &[&str] = &[
     "metrics/spectrum.rs",
     "metrics/star_bound.rs",
     "metrics/star_space.rs",
+    "kinds/bugs",
     "kinds/estimation",
     "kinds/experiment",
 ];
