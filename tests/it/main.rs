@@ -20,6 +20,8 @@ mod course;
 #[cfg(feature = "publish")]
 mod determinism;
 mod enumeration;
+#[cfg(feature = "publish")]
+mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
 mod golden;
