@@ -32,6 +32,7 @@ pub mod scenes;
 pub mod scrambles;
 pub mod seed;
 pub mod stats;
+pub mod vectors;
 
 #[cfg(feature = "publish")]
 pub mod chart;

@@ -36,12 +36,19 @@ pub struct Segments {
     pub(super) style: Style,
     pub(super) label: Option<Rich>,
     pub(super) width: f64,
+    pub(super) opacity: f64,
 }
 
 impl Segments {
     /// Segments from the first to the second point of each pair.
     pub fn new(segments: Vec<[(f64, f64); 2]>) -> Self {
-        Self { segments, style: Style::INK, label: None, width: 1.25 }
+        Self { segments, style: Style::INK, label: None, width: 1.25, opacity: 1.0 }
+    }
+
+    /// A pale spot behind each of these points, to point at them.
+    pub fn spots(points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let segments = points.into_iter().map(|at| [at, at]).collect();
+        Self { style: Style::ACCENT, width: 20.0, opacity: 0.35, ..Self::new(segments) }
     }
 
     /// Of this width in units.

@@ -142,7 +142,10 @@ impl<'p> Painter<'p, '_> {
         });
         let lines = Lines::clipped(line, &self.plot.window);
         let Style { role, dash, .. } = segments.style;
-        self.shape(lines.points, Kind::Stroke(lines.ends, Ink::new(role, segments.width).dash(dash)))
+        self.shape(
+            lines.points,
+            Kind::Stroke(lines.ends, Ink::new(role, segments.width).dash(dash).opacity(segments.opacity)),
+        )
     }
 
     /// The points of a unit square where they are strictly inside their strata as written.

@@ -55,6 +55,19 @@ impl Chart {
         self
     }
 
+    /// Without what marks and notes are tracked as: a frame that stands by itself.
+    #[must_use]
+    pub(super) fn still(mut self) -> Self {
+        for layer in self.panels.iter_mut().flat_map(|panel| &mut panel.layers) {
+            match layer {
+                Layer::Marks(marks) => marks.tracked = None,
+                Layer::Note(note) => note.tracked = None,
+                _ => {}
+            }
+        }
+        self
+    }
+
     /// The figure on `sheet`.
     pub fn draw(&self, sheet: &Sheet) -> Result<Figure, ChartError> {
         layout::draw(self, sheet)

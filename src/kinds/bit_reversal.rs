@@ -150,8 +150,8 @@ mod drawing {
             let places = if row == last { 6 } else { 6.min(bits.len()) };
             table.push([
                 Cell::Integer(shown.index as i64),
-                Cell::Code(bits),
-                Cell::Code(format!(".{reversed}")),
+                Cell::Code(short(&bits)),
+                Cell::Code(format!(".{}", short(&reversed))),
                 Cell::fixed(shown.reversed, places),
                 Cell::fixed(shown.looped, places),
                 Cell::holds(shown.reversed.to_bits() == shown.looped.to_bits()),
@@ -169,6 +169,12 @@ mod drawing {
         ]);
         table.footers = 1;
         Drawing::Table(table)
+    }
+
+    /// Bits as they are, or the first and last of many.
+    fn short(bits: &str) -> String {
+        let count = bits.len();
+        if count <= 10 { bits.to_owned() } else { format!("{}…{}", &bits[..4], &bits[count - 4..]) }
     }
 
     pub(super) fn alt(p: &BitReversal, data: &Data) -> String {

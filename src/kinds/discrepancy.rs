@@ -264,8 +264,8 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Curve, Data, Discrepancy, Mark, extremes};
-    use crate::chart::number::{fixed, integer, significant};
-    use crate::chart::{Axis, Chart, ChartError, Drawing, ErrorBars, Layer, Line, Panel, Sheet, Style};
+    use crate::chart::number::{fixed, integer, shortest, significant};
+    use crate::chart::{Axis, Band, Chart, ChartError, Drawing, ErrorBars, Layer, Line, Panel, Sheet, Style};
 
     pub(super) fn draw(p: &Discrepancy, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let zero = data.curves.iter().all(|curve| curve.marks.iter().any(|mark| mark.mean <= 0.0));
@@ -301,8 +301,13 @@ mod drawing {
         let line = Line::new(shown().map(|mark| (mark.n as f64, mark.mean)).collect());
         let line = line.style(style).label(label);
         let line = if curve.marks.len() > 40 { line } else { line.marked() };
-        let bars = (!ranges.is_empty()).then(|| ErrorBars::new(ranges).style(style).into());
-        bars.into_iter().chain([line.into()]).collect()
+        // Many error bars would hide the lines.
+        let ranges: Option<Layer> = match ranges.len() {
+            0 => None,
+            1..=20 => Some(ErrorBars::new(ranges).style(style).into()),
+            _ => Some(Band::new(ranges).style(style).into()),
+        };
+        ranges.into_iter().chain([line.into()]).collect()
     }
 
     /// The bound and the exact values of one sampler.
@@ -325,7 +330,7 @@ mod drawing {
         };
         let (Some(first), Some(last)) = (p.n.iter().next(), p.n.iter().last()) else { return Vec::new() };
         let line = |&slope: &f64| {
-            Line::power(first as f64, start, slope, last as f64).label(format!("slope {}", significant(slope, 2)))
+            Line::power(first as f64, start, slope, last as f64).label(format!("slope {}", shortest(slope)))
         };
         if first == last { Vec::new() } else { p.slopes.iter().map(line).collect() }
     }

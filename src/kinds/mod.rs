@@ -32,12 +32,29 @@ mod strata_count;
 mod van_der_corput_table;
 mod worst_box;
 
+mod box_steps;
+mod growth_steps;
+mod interval_steps;
+mod randomisation_steps;
 mod shuffle_steps;
 mod steps;
 
 pub use experiment::{
     AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
 };
+mod bias;
+mod buffon;
+mod bug;
+mod bug_matrix;
+mod bugs;
+mod coverage;
+mod distribution;
+mod identities;
+mod importance;
+mod middle_square;
+mod quadrature;
+mod quicksort;
+mod worked_path;
 
 /// Every kind, in the order of display.
 pub static KINDS: &[&dyn AnyKind] = &[
@@ -60,6 +77,22 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &bit_reversal::BIT_REVERSAL,
     &van_der_corput_table::VAN_DER_CORPUT_TABLE,
     &shuffle_steps::SHUFFLE_STEPS,
+    &growth_steps::GROWTH_STEPS,
+    &interval_steps::INTERVAL_STEPS,
+    &box_steps::BOX_STEPS,
+    &randomisation_steps::RANDOMISATION_STEPS,
+    &distribution::DISTRIBUTION,
+    &identities::IDENTITIES,
+    &importance::IMPORTANCE,
+    &bias::BIAS,
+    &quadrature::QUADRATURE,
+    &coverage::COVERAGE,
+    &buffon::BUFFON,
+    &middle_square::MIDDLE_SQUARE,
+    &quicksort::QUICKSORT,
+    &worked_path::WORKED_PATH,
+    &bug::BUG,
+    &bug_matrix::BUG_MATRIX,
     &render::RENDER,
 ];
 

@@ -192,7 +192,7 @@ mod drawing {
     }
 
     fn panel(p: &Projections, set: &Set, projection: &Projection, Pair(i, j): Pair) -> Panel {
-        let axes = format!("axes {i}, {j}");
+        let axes = format!("axes\u{a0}{i},\u{a0}{j}");
         let title = if p.samplers.len() > 1 { format!("{}: {axes}", set.title) } else { axes };
         let marks = Marks::new(projection.points.clone()).style(Style::of(&set.method));
         Panel::unit_square().title(title).with(marks)

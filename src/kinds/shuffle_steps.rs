@@ -12,7 +12,8 @@ use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
 use crate::parameters::{choices, parameters};
 use crate::samplers::Method;
-use crate::samplers::digits::{cuts, within};
+use crate::samplers::digits::within;
+use crate::samplers::{Sampler as _, multi_jittered};
 use crate::seed::Seed;
 
 /// The kind `shuffle-steps`.
@@ -107,7 +108,7 @@ impl Kind for ShuffleStepsKind {
         };
         let drawn = method(p).and_then(|method| method.points(p.n, 2, stream).ok());
         let agrees = drawn.is_some_and(|points| steps.last().is_some_and(|step| step.places == steps::places(&points)));
-        let cells = match cuts(p.n, 2)[..] {
+        let cells = match multi_jittered::PLAIN.strata(p.n, 2)[..] {
             [columns, rows] if p.sampler == Construction::Jittered => Some((columns as u32, rows as u32)),
             _ => None,
         };
@@ -130,14 +131,7 @@ impl Kind for ShuffleStepsKind {
     }
 
     fn tables(&self, _: &ShuffleSteps, data: &Data) -> Vec<Frame> {
-        let rows = || data.steps.iter().enumerate().flat_map(|(k, step)| step.places.iter().map(move |at| (k, at)));
-        let index = data.steps.iter().flat_map(|step| 0..step.places.len());
-        let frame = Frame::new("steps")
-            .counts("step", rows().map(|(step, _)| step + 1))
-            .counts("index", index)
-            .numbers("x", rows().map(|(_, at)| at.0))
-            .numbers("y", rows().map(|(_, at)| at.1));
-        vec![frame]
+        vec![steps::table(data.steps.iter().map(|step| step.places.as_slice()))]
     }
 
     fn draw(&self, p: &ShuffleSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -177,7 +171,7 @@ fn zipped([x, y]: &[Vec<f64>; 2]) -> Vec<Place> {
 
 /// The canonical arrangement, then the shuffle of x within each column and of y within each row.
 fn jittered(n: usize, seed: Seed) -> Vec<Step> {
-    let cuts = cuts(n, 2);
+    let cuts = multi_jittered::PLAIN.strata(n, 2);
     let [columns, rows] = cuts[..] else { return Vec::new() };
     // Of each axis and stratum: the order of its slabs, and the place of each point within its slab.
     let strata = [(columns, rows), (rows, columns)];
@@ -218,7 +212,7 @@ mod drawing {
 
     use super::{Construction, Data, ShuffleSteps, Step};
     use crate::chart::{
-        Chart, ChartError, Drawing, Key, Marker, Marks, Panel, Region, Role, Sheet, Steps, Strata, Style,
+        Chart, ChartError, Drawing, Key, Marker, Marks, Panel, Region, Segments, Sheet, Steps, Strata, Style,
     };
 
     pub(super) fn draw(p: &ShuffleSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -247,8 +241,8 @@ mod drawing {
             let (from, to) = if step.axis == 0 { ((low, 0.0), (high, 1.0)) } else { ((0.0, low), (1.0, high)) };
             panel = panel.with(Region::new(from, to));
         } else if step.part > 0 {
-            let ringed = step.moved.iter().filter_map(|&index| step.places.get(index as usize).copied()).collect();
-            panel = panel.with(Marks::new(ringed).style(Style::new(Role::Accent).marker(Marker::Ring)).size(20.0));
+            let moved = step.moved.iter().filter_map(|&index| step.places.get(index as usize).copied());
+            panel = panel.with(Segments::spots(moved));
         }
         let style = Style::of(p.sampler.word()).marker(Marker::Disc);
         panel.with(Marks::new(step.places.clone()).style(style).size(9.0).tracked("p"))
@@ -264,8 +258,8 @@ mod drawing {
                 let (axis, slabs) = if axis == 0 { ("x", "columns") } else { ("y", "rows") };
                 let of = format!("Shuffle of ${axis}$, swap {part} of {}", n - 1);
                 match step.moved[..] {
-                    [_, _] => format!("{of}: the two ringed points exchange their {slabs}."),
-                    _ => format!("{of}: the ringed point is drawn itself, and stays."),
+                    [_, _] => format!("{of}: the two marked points exchange their {slabs}."),
+                    _ => format!("{of}: the marked point draws itself, and stays."),
                 }
             }
             (Construction::Jittered, 0, _) => {

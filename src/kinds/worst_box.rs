@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::experiment::Failure;
 use super::placing::unmeasured;
+use crate::chart::number::significant;
 use crate::metrics::star;
 use crate::points::Points;
 use crate::samplers::Method;
@@ -36,5 +37,23 @@ impl WorstBox {
         let (open, closed) = (inside(false), inside(true));
         let count = if off(closed) >= off(open) { closed } else { open };
         Ok(Self { discrepancy: measured.value, corner, count: count as u32, volume })
+    }
+
+    /// The upper corner in the unit square, the whole height where there is one axis only.
+    pub fn corner_in_the_plane(&self) -> (f64, f64) {
+        let edge = |axis: usize| self.corner.get(axis).copied().unwrap_or(1.0);
+        (edge(0), edge(1))
+    }
+
+    /// What it is, among `n` points.
+    pub fn words(&self, n: usize) -> String {
+        let corner: Vec<String> = self.corner.iter().map(|&edge| significant(edge, 3)).collect();
+        format!(
+            "the worst box reaches to ({}), holds {} of {n} points and has the volume {}: discrepancy {}",
+            corner.join(", "),
+            self.count,
+            significant(self.volume, 3),
+            significant(self.discrepancy, 3)
+        )
     }
 }

@@ -17,7 +17,7 @@ use crate::course::PACKAGE;
 
 /// The parts of the library from the lowest to the highest: a part uses only what is below it. Those in one line may use each other.
 const LAYERS: &[&[&str]] = &[
-    &["catalogue", "points", "seed", "stats", "samplers", "scrambles", "integrands", "metrics", "scenes"],
+    &["catalogue", "vectors", "points", "seed", "stats", "samplers", "scrambles", "integrands", "metrics", "scenes"],
     &["diag"],
     &["raster", "sources", "workspace"],
     &["parameters"],
@@ -56,6 +56,8 @@ const SHARED: &[&str] = &[
     "metrics/spectrum.rs",
     "metrics/star_bound.rs",
     "metrics/star_space.rs",
+    "metrics/star_sweep.rs",
+    "kinds/bugs",
     "kinds/estimation",
     "kinds/experiment",
     "kinds/imaging",

@@ -43,17 +43,6 @@ impl<'a> Element<'a> {
     }
 }
 
-/// The SVG without what only merging needs.
-pub(super) fn untracked(svg: &str) -> String {
-    let lines = svg.lines().map(|line| match Element::read(line) {
-        Element { parts: (head, tail), tracked: Some((_, place)) } => {
-            format!("{head} transform=\"translate({place})\"{tail}\n")
-        }
-        Element { parts: (head, _), tracked: None } => format!("{head}\n"),
-    });
-    lines.collect()
-}
-
 /// The frames as one SVG. All begin with the same lines, and end with `</svg>`.
 pub(super) fn merged(frames: &[&str]) -> String {
     let mut merged: Vec<Merged<'_>> = Vec::new();

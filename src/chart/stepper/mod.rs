@@ -121,7 +121,7 @@ impl Steps {
                 description: String::new(),
                 width: self.small,
             };
-            let figure = frame.chart.draw(&sheet).map(|figure| Figure { svg: merge::untracked(&figure.svg), ..figure });
+            let figure = frame.chart.clone().still().draw(&sheet);
             Some(figure.map(|figure| KeyStep { step, figure }))
         });
         drawn.collect()
