@@ -11,6 +11,7 @@ use crate::catalogue::{About, find, nearest};
 use crate::diag::Code;
 use crate::integrands::{ExpressionError, Function, INTEGRANDS};
 use crate::samplers::{Method, UnknownMethod, WrongSetting};
+use crate::scenes::{SCENES, Scene};
 
 impl ParameterType for Method {
     type Bound = Unbounded;
