@@ -1,6 +1,6 @@
 //! The layers of a panel: lines, points, bars, bands, rules, error bars, regions and notes.
 
-use super::disk::{Disks, Segments};
+use super::disk::{Boxes, Disks, Segments};
 use super::palette::{Dash, Role, Style};
 use super::text::Rich;
 use crate::stats::portable;
@@ -30,6 +30,8 @@ pub enum Layer {
     Disks(Disks),
     /// Straight lines from point to point.
     Segments(Segments),
+    /// Rectangles.
+    Boxes(Boxes),
 }
 
 macro_rules! layers {
@@ -37,7 +39,7 @@ macro_rules! layers {
         fn from(layer: $name) -> Self { Self::$name(layer) }
     })+ };
 }
-layers! { Line Marks Bars Band Area Rule ErrorBars Region Note Disks Segments }
+layers! { Line Marks Bars Band Area Rule ErrorBars Region Note Disks Segments Boxes }
 
 macro_rules! labelled {
     ($($name:ident)+) => { $(impl $name {
@@ -56,7 +58,7 @@ macro_rules! labelled {
         }
     })+ };
 }
-labelled! { Line Marks Bars Band Area Rule ErrorBars Region Disks Segments }
+labelled! { Line Marks Bars Band Area Rule ErrorBars Region Disks Segments Boxes }
 
 /// A line through points in their order. It breaks where a value cannot be drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -277,6 +279,10 @@ pub enum Corner {
     BelowRight,
     /// Below and to the left.
     BelowLeft,
+    /// Above, in the middle.
+    Above,
+    /// Below, in the middle.
+    Below,
     /// In the middle.
     Centre,
 }

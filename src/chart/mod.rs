@@ -29,7 +29,7 @@ mod text;
 mod ticks;
 
 pub use axis::Axis;
-pub use disk::{Disks, Segments};
+pub use disk::{Boxes, Disks, Segments};
 pub use error::ChartError;
 pub use layer::{Area, Band, Bars, Corner, ErrorBars, Layer, Line, Marks, Note, Region, Rule};
 pub use palette::{Dash, Marker, Role, Style};

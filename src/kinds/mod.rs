@@ -16,8 +16,13 @@ mod running_mean;
 mod van_der_corput_table;
 
 mod box_steps;
+mod candidate_steps;
+mod dart_steps;
+mod estimator_steps;
 mod growth_steps;
 mod interval_steps;
+mod line_steps;
+mod pi_steps;
 mod randomisation_steps;
 mod shuffle_steps;
 mod steps;
@@ -38,6 +43,11 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &interval_steps::INTERVAL_STEPS,
     &box_steps::BOX_STEPS,
     &randomisation_steps::RANDOMISATION_STEPS,
+    &dart_steps::DART_STEPS,
+    &candidate_steps::CANDIDATE_STEPS,
+    &line_steps::LINE_STEPS,
+    &estimator_steps::ESTIMATOR_STEPS,
+    &pi_steps::PI_STEPS,
 ];
 
 /// The kind whose key is `key`.
