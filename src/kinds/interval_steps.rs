@@ -156,7 +156,7 @@ mod drawing {
                 }
             } else {
                 let counts: Vec<String> = data.sets.iter().map(|s| format!("{} {}", s.title, count(s))).collect();
-                caption += &format!(". Violated: {}.", counts.join(", "));
+                caption += &format!(", violated: {}.", counts.join(", "));
             }
             steps.push(Chart::grid(panels).key(Key::Hidden), caption);
         }

@@ -33,11 +33,20 @@ mod van_der_corput_table;
 mod worst_box;
 
 mod box_steps;
+mod candidate_steps;
+mod dart_steps;
+mod digit_steps;
+mod estimator_steps;
 mod growth_steps;
 mod interval_steps;
+mod line_steps;
+mod owen_steps;
+mod padding_steps;
+mod pi_steps;
 mod randomisation_steps;
 mod shuffle_steps;
 mod steps;
+mod xor_steps;
 
 pub use experiment::{
     AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
@@ -94,6 +103,15 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &bug::BUG,
     &bug_matrix::BUG_MATRIX,
     &render::RENDER,
+    &dart_steps::DART_STEPS,
+    &candidate_steps::CANDIDATE_STEPS,
+    &line_steps::LINE_STEPS,
+    &estimator_steps::ESTIMATOR_STEPS,
+    &pi_steps::PI_STEPS,
+    &digit_steps::DIGIT_STEPS,
+    &xor_steps::XOR_STEPS,
+    &owen_steps::OWEN_STEPS,
+    &padding_steps::PADDING_STEPS,
 ];
 
 /// The kind whose key is `key`.

@@ -43,6 +43,29 @@ impl<'a> Element<'a> {
     }
 }
 
+/// The SVG with neighbouring paths that look alike joined into one; what is translucent stays apart, as it may overlap.
+pub(super) fn joined(svg: &str) -> String {
+    let mut out = String::with_capacity(svg.len());
+    let mut before = "";
+    for line in svg.lines() {
+        let path = line.strip_suffix("\"/>").and_then(|line| line.split_once(" d=\""));
+        let path = path.filter(|(head, _)| head.starts_with("<path") && !head.contains("opacity"));
+        match path {
+            Some((head, data)) if head == before => {
+                out.truncate(out.len() - "\"/>\n".len());
+                out.push_str(data);
+                out.push_str("\"/>\n");
+            }
+            _ => {
+                out.push_str(line);
+                out.push('\n');
+            }
+        }
+        before = path.map_or("", |(head, _)| head);
+    }
+    out
+}
+
 /// The frames as one SVG. All begin with the same lines, and end with `</svg>`.
 pub(super) fn merged(frames: &[&str]) -> String {
     let mut merged: Vec<Merged<'_>> = Vec::new();

@@ -122,6 +122,7 @@ impl Steps {
                 width: self.small,
             };
             let figure = frame.chart.clone().still().draw(&sheet);
+            let figure = figure.map(|figure| Figure { svg: merge::joined(&figure.svg), ..figure });
             Some(figure.map(|figure| KeyStep { step, figure }))
         });
         drawn.collect()
