@@ -32,6 +32,7 @@ mod measures;
 mod pages;
 #[cfg(feature = "publish")]
 mod parameters;
+mod paths;
 #[cfg(feature = "publish")]
 mod review;
 mod statistics;
