@@ -34,6 +34,8 @@ mod measures;
 mod pages;
 #[cfg(feature = "publish")]
 mod parameters;
+mod paths;
+#[cfg(feature = "publish")]
 mod point_kinds;
 #[cfg(feature = "publish")]
 mod points;
