@@ -36,6 +36,7 @@ mod parameters;
 mod points;
 #[cfg(feature = "publish")]
 mod review;
+mod settings;
 mod statistics;
 #[cfg(feature = "publish")]
 mod tidy;
