@@ -41,6 +41,7 @@ mod point_kinds;
 mod points;
 #[cfg(feature = "publish")]
 mod review;
+mod settings;
 mod statistics;
 #[cfg(feature = "publish")]
 mod tidy;
