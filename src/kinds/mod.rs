@@ -40,6 +40,19 @@ mod steps;
 pub use experiment::{
     AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
 };
+mod bias;
+mod buffon;
+mod bug;
+mod bug_matrix;
+mod bugs;
+mod coverage;
+mod distribution;
+mod identities;
+mod importance;
+mod middle_square;
+mod quadrature;
+mod quicksort;
+mod worked_path;
 
 /// Every kind, in the order of display.
 pub static KINDS: &[&dyn AnyKind] = &[
@@ -66,6 +79,18 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &interval_steps::INTERVAL_STEPS,
     &box_steps::BOX_STEPS,
     &randomisation_steps::RANDOMISATION_STEPS,
+    &distribution::DISTRIBUTION,
+    &identities::IDENTITIES,
+    &importance::IMPORTANCE,
+    &bias::BIAS,
+    &quadrature::QUADRATURE,
+    &coverage::COVERAGE,
+    &buffon::BUFFON,
+    &middle_square::MIDDLE_SQUARE,
+    &quicksort::QUICKSORT,
+    &worked_path::WORKED_PATH,
+    &bug::BUG,
+    &bug_matrix::BUG_MATRIX,
 ];
 
 /// The kind whose key is `key`.

@@ -70,10 +70,11 @@ impl Scene for DepthOfField {
         let lamp = |k: usize| {
             let k = k as f64;
             let centre = Vector::new(-6.3 + 1.75 * k, 15.0, 1.3 + 0.9 * ((k * 0.618).fract()));
-            Thing::sphere(centre, 0.07, Surface::Glow(Colour::new(9.0, 7.0 - 0.4 * k, 3.5 + 0.5 * k)))
+            Thing::sphere(centre, 0.14, Surface::Glow(Colour::new(3.2, 2.5 - 0.12 * k, 1.2 + 0.18 * k)))
         };
-        let floor = Surface::Checker { even: Colour::grey(0.7), odd: Colour::new(0.16, 0.18, 0.22), side: 0.5 };
-        let things = std::iter::once(Thing::floor(floor)).chain(colours.iter().enumerate().map(ball));
+        let floor = Surface::Checker { even: Colour::grey(0.7), odd: Colour::new(0.16, 0.18, 0.22), side: 0.9 };
+        let things = std::iter::once(Thing::cuboid(Vector::new(-9.0, -9.0, -1.0), Vector::new(9.0, 9.0, 0.0), floor))
+            .chain(colours.iter().enumerate().map(ball));
         World {
             things: things.chain((0..8).map(lamp)).collect(),
             lamps: vec![Lamp::Sun {

@@ -20,6 +20,8 @@ mod course;
 #[cfg(feature = "publish")]
 mod determinism;
 mod enumeration;
+#[cfg(feature = "publish")]
+mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
 mod golden;
@@ -33,6 +35,8 @@ mod pages;
 #[cfg(feature = "publish")]
 mod parameters;
 mod point_kinds;
+#[cfg(feature = "publish")]
+mod points;
 #[cfg(feature = "publish")]
 mod review;
 mod statistics;

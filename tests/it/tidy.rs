@@ -57,6 +57,7 @@ const SHARED: &[&str] = &[
     "metrics/star_bound.rs",
     "metrics/star_space.rs",
     "metrics/star_sweep.rs",
+    "kinds/bugs",
     "kinds/estimation",
     "kinds/experiment",
     "kinds/steps",

@@ -7,3 +7,6 @@ mod sampling;
 pub use image::{Image, encode, luminance};
 pub use render::Rendering;
 pub use sampling::{Arrangement, Pixels, Randomisation, Samples, Sampling, Unfit};
+
+#[cfg(test)]
+mod tests;
