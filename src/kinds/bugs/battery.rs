@@ -259,10 +259,7 @@ fn finding(test: Test, bug: &Bug, runs: &Runs, other: Option<&Runs>) -> Option<b
         Test::Comparison => Some(differ(estimates, other?.estimates.last()?)),
         Test::Strata if !runs.stratified => None,
         Test::Strata => {
-            let whole = |run: &Run| {
-                let samples = run.samples.iter().map(Vec::as_slice);
-                is_latin(samples, run.samples.first().map_or(0, Vec::len), run.samples.len())
-            };
+            let whole = |run: &Run| is_latin(run.samples(), run.axes, run.values.len());
             Some(!runs.last.iter().all(whole))
         }
         Test::Repeats => Some(repeats(runs, estimates)),
@@ -293,8 +290,8 @@ fn differ(a: &[f64], b: &[f64]) -> bool {
 
 /// The samples of all pixels; `None` if there are none.
 fn pooled(runs: &Runs) -> Option<Points> {
-    let samples = || runs.last.iter().flat_map(|run| &run.samples);
-    Points::from_rows(samples().next()?.len(), samples().flatten().copied().collect())
+    let coordinates = runs.last.iter().flat_map(|run| &run.coordinates).copied().collect();
+    Points::from_rows(runs.last.first()?.axes, coordinates)
 }
 
 /// Whether `test` rejects any axis of the samples.
@@ -338,12 +335,12 @@ fn is_latin<'a>(rows: impl Iterator<Item = &'a [f64]>, d: usize, n: usize) -> bo
 
 /// Whether a sample comes twice in a run, or an estimate in two pixels.
 fn repeats(runs: &Runs, estimates: &[f64]) -> bool {
-    let bits = |sample: &Vec<f64>| sample.iter().map(|u| u.to_bits()).collect::<Vec<_>>();
+    let bits = |sample: &[f64]| sample.iter().map(|u| u.to_bits()).collect::<Vec<_>>();
     let twice = |mut all: Vec<Vec<u64>>| {
         all.sort_unstable();
         all.windows(2).any(|pair| pair[0] == pair[1])
     };
-    runs.last.iter().any(|run| twice(run.samples.iter().map(bits).collect()))
+    runs.last.iter().any(|run| twice(run.samples().map(bits).collect()))
         || twice(estimates.iter().map(|estimate| vec![estimate.to_bits()]).collect())
 }
 
@@ -357,7 +354,6 @@ fn in_range(bug: &Bug, form: Form) -> bool {
         let rows: Vec<f64> = (0..4).flat_map(|_| corner(index)).collect();
         let Some(points) = Points::from_rows(bug.dimensions, rows) else { return false };
         let run = program(&Source::new(points.clone(), &points, points.len(), true));
-        let inside = |sample: &Vec<f64>| sample.iter().all(|u| (0.0..1.0).contains(u));
-        run.samples.iter().all(inside) && run.values.iter().all(|value| value.is_finite())
+        run.coordinates.iter().all(|u| (0.0..1.0).contains(u)) && run.values.iter().all(|value| value.is_finite())
     })
 }
