@@ -189,6 +189,8 @@ codes! {
     Drift = "W0203";
     /// The lock is missing or broken.
     Lock = "W0204";
+    /// A file of points that cannot be read or measured.
+    Points = "W0205";
     // The book as a reader meets it.
     /// A link to nothing.
     BrokenLink = "W0301";

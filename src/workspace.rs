@@ -3,7 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::{fs, io};
+use std::{
+    fs,
+    io::{self, Read},
+};
 
 use crate::diag::{Code, Diagnostic};
 
@@ -35,6 +38,11 @@ pub struct Workspace {
 }
 
 impl Workspace {
+    /// A workspace of one text, for the excerpts of what is said of it.
+    pub fn of(source: Source) -> Self {
+        Self { texts: BTreeMap::from([(Arc::clone(&source.path), source)]), blobs: BTreeMap::new() }
+    }
+
     /// The text at `path` from the course's root.
     pub fn text(&self, path: &str) -> Option<&Source> {
         self.texts.get(path)
@@ -81,6 +89,28 @@ pub fn load(root: &Path) -> (Workspace, Vec<Diagnostic>) {
         );
     }
     (workspace, diagnostics)
+}
+
+/// Reads a text of points that is no part of a course: the file `path`, or the standard input for `-`.
+///
+/// The error has the code [`Code::NotUtf8`], [`Code::MissingInclude`] where there is no such file, or [`Code::Unreadable`].
+pub fn read_points(path: &Path) -> Result<Source, Diagnostic> {
+    let piped = path == Path::new("-");
+    let name = if piped { "standard input".into() } else { path.to_string_lossy() };
+    let read = || {
+        if !piped {
+            return fs::read(path);
+        }
+        let mut bytes = Vec::new();
+        io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
+    };
+    let bytes = read().map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => Diagnostic::error(Code::MissingInclude, format!("there is no file `{name}`")),
+        _ => unreadable(&name, &error),
+    })?;
+    let text = String::from_utf8(bytes).map_err(|error| not_utf8(&name, &error))?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text).into();
+    Ok(Source { path: name.into(), text })
 }
 
 /// Reads the files below `folder` in the order of their names; hidden files and links that leave the course are passed over.

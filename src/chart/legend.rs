@@ -43,8 +43,10 @@ impl Entry {
             Layer::Bars(bars) => (&bars.label, bars.style, Swatch::Block),
             Layer::Band(band) => (&band.label, band.style, Swatch::Block),
             Layer::Area(area) => (&area.label, area.style, Swatch::Block),
+            Layer::Disks(disks) => (&disks.label, disks.style, Swatch::Block),
+            Layer::Segments(lines) => (&lines.label, lines.style, Swatch::Line { width: lines.width, marked: false }),
             // These carry their names where they are.
-            Layer::Rule(_) | Layer::Region(_) | Layer::Note(_) => return None,
+            Layer::Rule(_) | Layer::Region(_) | Layer::Image(_) | Layer::Note(_) => return None,
         };
         Some(Self { label: label.clone()?, style, swatch })
     }

@@ -3,14 +3,17 @@
 use std::fmt::Write as _;
 
 use clap::{Args, ValueEnum};
-use serde_json::json;
+use serde_json::{Map, Value as Json, json};
 
 use super::{Exit, Format, Options, report};
-use crate::catalogue::About;
+use crate::catalogue::{About, Paper, find, nearest};
 use crate::compose::check;
+use crate::diag::{Code, Diagnostic};
 use crate::integrands::INTEGRANDS;
 use crate::kinds::{self, KINDS};
-use crate::samplers::SAMPLERS;
+use crate::metrics::METRICS;
+use crate::samplers::{Preset, SAMPLERS, Sampler, Setting};
+use crate::scenes::SCENES;
 use crate::scrambles::SCRAMBLES;
 
 #[derive(Args)]
@@ -18,8 +21,11 @@ pub(super) struct Arguments {
     /// What to list
     #[arg(value_enum)]
     catalogue: Catalogue,
-    /// One entry, to list it with its parameters (kinds only)
+    /// One entry, to list it with its parameters or settings (kinds and samplers)
     entry: Option<String>,
+    /// Write JSON, as with `--format json`
+    #[arg(long)]
+    json: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -27,30 +33,106 @@ enum Catalogue {
     Samplers,
     Scrambles,
     Integrands,
+    Scenes,
+    Metrics,
     Kinds,
     Exhibits,
 }
 
 pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
-    if let (Catalogue::Kinds, Some(entry)) = (arguments.catalogue, &arguments.entry) {
-        return kind(entry, options);
+    let options = &Options { format: if arguments.json { Format::Json } else { options.format }, ..options.clone() };
+    match (arguments.catalogue, &arguments.entry) {
+        (Catalogue::Kinds, Some(entry)) => return kind(entry, options),
+        (Catalogue::Samplers, Some(entry)) => return sampler(entry, options),
+        (_, Some(entry)) => {
+            let message = format!("only kinds and samplers have more to tell than the list: `{entry}` is too much");
+            return report::wrong(&Diagnostic::error(Code::Combination, message), Exit::Call, options);
+        }
+        (_, None) => {}
     }
     let abouts: Vec<&'static About> = match arguments.catalogue {
         Catalogue::Samplers => SAMPLERS.iter().map(|entry| entry.about()).collect(),
         Catalogue::Scrambles => SCRAMBLES.iter().map(|entry| entry.about()).collect(),
         Catalogue::Integrands => INTEGRANDS.iter().map(|entry| entry.about()).collect(),
+        Catalogue::Scenes => SCENES.iter().map(|entry| entry.about()).collect(),
+        Catalogue::Metrics => METRICS.iter().map(|entry| entry.about()).collect(),
         Catalogue::Kinds => KINDS.iter().map(|entry| entry.about()).collect(),
         Catalogue::Exhibits => return exhibits(options),
     };
-    let json: Vec<_> = abouts
-        .iter()
-        .map(|about| {
-            let papers: Vec<_> = about.papers.iter().map(|paper| json!({ "authors": paper.authors, "year": paper.year, "title": paper.title, "venue": paper.venue, "doi": paper.doi })).collect();
-            json!({ "key": about.key, "title": about.title, "summary": about.summary, "file": format!("src/{}", about.file), "papers": papers })
-        })
-        .collect();
+    let json: Vec<_> = match arguments.catalogue {
+        Catalogue::Samplers => SAMPLERS.iter().map(|sampler| sampler_json(*sampler)).collect(),
+        _ => abouts.iter().map(|about| Json::Object(about_json(about))).collect(),
+    };
     let rows = abouts.iter().map(|about| [about.key.to_owned(), about.summary.to_owned()]);
     print(&rows.collect::<Vec<_>>(), &json!(json), options);
+    Exit::Fine
+}
+
+/// What an entry tells about itself.
+fn about_json(about: &About) -> Map<String, Json> {
+    let paper = |paper: &Paper| json!({ "authors": paper.authors, "year": paper.year, "title": paper.title, "venue": paper.venue, "doi": paper.doi });
+    let papers: Vec<_> = about.papers.iter().map(paper).collect();
+    let fields = [
+        ("key", json!(about.key)),
+        ("title", json!(about.title)),
+        ("summary", json!(about.summary)),
+        ("file", json!(format!("src/{}", about.file))),
+        ("papers", json!(papers)),
+    ];
+    fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+}
+
+/// What a sampler tells about itself, with its guarantees, settings and limits.
+fn sampler_json(sampler: &dyn Sampler) -> Json {
+    let setting = |setting: &Setting| {
+        let default = match setting.default {
+            Preset::Number(number) => json!(number),
+            Preset::Rule(words) => json!(words),
+        };
+        json!({
+            "name": setting.name,
+            "meaning": setting.meaning,
+            "least": setting.least,
+            "most": setting.most,
+            "prime": setting.is_prime,
+            "default": default,
+        })
+    };
+    let mut fields = about_json(sampler.about());
+    let guarantees: Vec<String> = sampler.guarantees().iter().map(ToString::to_string).collect();
+    fields.insert("guarantees".to_owned(), json!(guarantees));
+    fields.insert("settings".to_owned(), sampler.settings().iter().map(setting).collect());
+    fields.insert("limits".to_owned(), json!(paragraph(sampler.about().source, "Limits")));
+    Json::Object(fields)
+}
+
+/// The paragraph `**head.** ...` of a file's own page.
+fn paragraph(source: &str, head: &str) -> String {
+    let start = format!("//! **{head}.** ");
+    let lines = source.lines().skip_while(|line| !line.starts_with(&start)).map_while(|line| line.strip_prefix("//! "));
+    let words: Vec<&str> = lines.collect();
+    words.join(" ").trim_start_matches(&format!("**{head}.** ")).to_owned()
+}
+
+/// One sampler with its guarantees and each of its settings.
+fn sampler(key: &str, options: &Options) -> Exit {
+    let Some(sampler) = find(SAMPLERS, key) else {
+        let near = nearest(key, SAMPLERS.iter().map(|sampler| sampler.about().key));
+        let error = Diagnostic::error(Code::UnknownName, format!("there is no sampler `{key}`"))
+            .help_if(near.map(|near| format!("did you mean `{near}`?")))
+            .help("`workbook list samplers` names them all");
+        return report::wrong(&error, Exit::Call, options);
+    };
+    let about = sampler.about();
+    let mut rows = vec![[about.key.to_owned(), about.summary.to_owned()]];
+    let guarantees = sampler.guarantees().iter();
+    rows.extend(guarantees.map(|guarantee| ["guarantee".to_owned(), guarantee.to_string()]));
+    rows.extend(sampler.settings().iter().map(|setting| {
+        let words = format!("{} ({}, default {})", setting.meaning, setting.limits(), setting.default);
+        [format!("setting {}", setting.name), words]
+    }));
+    rows.push(["limits".to_owned(), paragraph(about.source, "Limits")]);
+    print(&rows, &sampler_json(sampler), options);
     Exit::Fine
 }
 

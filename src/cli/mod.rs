@@ -5,6 +5,8 @@ mod build;
 mod check;
 mod clean;
 mod list;
+mod measure;
+mod points;
 mod progress;
 mod report;
 mod run_one;
@@ -15,6 +17,7 @@ mod why;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::compose::Request;
@@ -46,7 +49,8 @@ struct Options {
     #[arg(long, global = true)]
     no_cache: bool,
     /// How diagnostics are written
-    #[arg(long, global = true, value_enum, default_value_t = Format::Human)]
+    #[arg(long, global = true, default_value = "human",
+        value_parser = among(&[Format::Human, Format::Json, Format::Github]))]
     format: Format,
     /// Write nothing but diagnostics
     #[arg(long, short, global = true)]
@@ -56,15 +60,25 @@ struct Options {
     timings: bool,
 }
 
-/// How diagnostics are written.
+/// How diagnostics, and the points of `workbook points`, are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
     /// With the source line and the place marked
     Human,
-    /// One JSON object a line
+    /// As JSON: diagnostics one object a line
     Json,
     /// As annotations of a workflow on a forge
     Github,
+    /// A point a line, with commas
+    Csv,
+    /// A NumPy array, shape (n, d), 64-bit floats
+    Npy,
+}
+
+/// Reads one of `formats`: not every command knows all.
+fn among(formats: &[Format]) -> impl TypedValueParser<Value = Format> + use<> {
+    let words: Vec<PossibleValue> = formats.iter().filter_map(ValueEnum::to_possible_value).collect();
+    PossibleValuesParser::new(words).try_map(|word| Format::from_str(&word, false))
 }
 
 #[derive(Subcommand)]
@@ -83,6 +97,10 @@ enum Command {
     Why(why::Arguments),
     /// List the entries of a catalogue
     List(list::Arguments),
+    /// Write the points of a method
+    Points(points::Arguments),
+    /// Measure the points in a file
+    Measure(measure::Arguments),
     /// Remove cached results
     Clean(clean::Arguments),
 }
@@ -92,7 +110,7 @@ enum Command {
 enum Exit {
     /// Nothing is wrong.
     Fine = 0,
-    /// The course is wrong.
+    /// The course is wrong, or the file that was to be measured.
     Course = 1,
     /// The call is wrong.
     Call = 2,
@@ -111,6 +129,8 @@ pub fn run() -> ExitCode {
         Command::Run(arguments) => run_one::run(&arguments, &cli.options),
         Command::Why(arguments) => why::run(&arguments, &cli.options),
         Command::List(arguments) => list::run(&arguments, &cli.options),
+        Command::Points(arguments) => points::run(&arguments, &cli.options),
+        Command::Measure(arguments) => measure::run(&arguments, &cli.options),
         Command::Clean(arguments) => clean::run(&arguments, &cli.options),
     };
     ExitCode::from(exit as u8)

@@ -1,6 +1,6 @@
 //! Diagnostics as people, programs and forges read them.
 
-use std::io::{IsTerminal, Write, stderr, stdout};
+use std::io::{self, BufWriter, IsTerminal, Write, stderr, stdout};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use serde_json::json;
@@ -8,7 +8,7 @@ use serde_json::json;
 use super::{Exit, Format, Options};
 use crate::catalogue::nearest;
 use crate::compose::Planned;
-use crate::diag::{Diagnostic, Place, Severity};
+use crate::diag::{Code, Diagnostic, Place, Severity};
 use crate::workspace::Workspace;
 
 /// Writes the diagnostics, ordered by place, in the format that the options ask for: to the error stream for people, else to the output.
@@ -18,17 +18,37 @@ pub(super) fn diagnostics(found: &[Diagnostic], workspace: &Workspace, options: 
     let mut text = String::new();
     for diagnostic in sorted {
         text.push_str(&match options.format {
-            Format::Human => human(diagnostic, workspace),
+            Format::Human | Format::Csv | Format::Npy => human(diagnostic, workspace),
             Format::Json => json_line(diagnostic, workspace),
             Format::Github => github(diagnostic, workspace),
         });
         text.push('\n');
     }
-    if options.format == Format::Human {
+    if !matches!(options.format, Format::Json | Format::Github) {
         text.push_str(&count(found));
         to_stderr(&text);
     } else {
         to_stdout(&text);
+    }
+}
+
+/// Tells one mistake that is in no file, and ends as `exit` says.
+pub(super) fn wrong(error: &Diagnostic, exit: Exit, options: &Options) -> Exit {
+    diagnostics(std::slice::from_ref(error), &Workspace::default(), options);
+    exit
+}
+
+/// Writes to the output piece by piece what `write` gives.
+pub(super) fn stream(options: &Options, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Exit {
+    let mut out = BufWriter::with_capacity(1 << 16, stdout().lock());
+    match write(&mut out).and_then(|()| out.flush()) {
+        Ok(()) => Exit::Fine,
+        // A reader that has gone away is no mistake of ours.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Exit::Fine,
+        Err(error) => {
+            let error = Diagnostic::error(Code::Unwritable, format!("the output cannot be written: {error}"));
+            wrong(&error, Exit::System, options)
+        }
     }
 }
 

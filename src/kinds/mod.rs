@@ -2,18 +2,44 @@
 //!
 //! To add a kind, write its file and add its two lines here: its module and its place in [`KINDS`]. Nothing else knows the
 //! kinds by name; the checks, the key, the lists, the schema and the book find them in the catalogue. The folder `experiment`
-//! holds the interface, `estimation` the running of many estimates, which several kinds share.
+//! holds the interface, `estimation` the running of many estimates, which several kinds share, `steps` what those have in common
+//! that a reader steps through.
 
+mod bit_reversal;
 mod convergence;
+mod digits;
+mod discrepancy;
+mod enumeration;
 mod estimate_table;
 mod estimation;
 mod experiment;
 mod function;
+mod guarantees;
 mod histogram;
+mod koksma_hlawka;
+mod measures;
+mod measuring;
+mod occupancy;
+mod placing;
 mod points;
+mod projections;
+mod radical;
 mod running_mean;
+mod spectrum;
+mod strata_count;
 mod van_der_corput_table;
+mod worst_box;
 
+mod box_steps;
+mod growth_steps;
+mod interval_steps;
+mod randomisation_steps;
+mod shuffle_steps;
+mod steps;
+
+pub use experiment::{
+    AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
+};
 mod bias;
 mod buffon;
 mod bug;
@@ -28,8 +54,6 @@ mod quadrature;
 mod quicksort;
 mod worked_path;
 
-pub use experiment::{AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Value, Values};
-
 /// Every kind, in the order of display.
 pub static KINDS: &[&dyn AnyKind] = &[
     &function::FUNCTION,
@@ -38,7 +62,23 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &histogram::HISTOGRAM,
     &convergence::CONVERGENCE,
     &points::POINTS,
+    &projections::PROJECTIONS,
+    &strata_count::STRATA_COUNT,
+    &spectrum::SPECTRUM,
+    &discrepancy::DISCREPANCY,
+    &measures::MEASURES,
+    &koksma_hlawka::KOKSMA_HLAWKA,
+    &occupancy::OCCUPANCY,
+    &guarantees::GUARANTEES,
+    &enumeration::ENUMERATION,
+    &digits::DIGITS,
+    &bit_reversal::BIT_REVERSAL,
     &van_der_corput_table::VAN_DER_CORPUT_TABLE,
+    &shuffle_steps::SHUFFLE_STEPS,
+    &growth_steps::GROWTH_STEPS,
+    &interval_steps::INTERVAL_STEPS,
+    &box_steps::BOX_STEPS,
+    &randomisation_steps::RANDOMISATION_STEPS,
     &distribution::DISTRIBUTION,
     &identities::IDENTITIES,
     &importance::IMPORTANCE,

@@ -1,9 +1,10 @@
 //! Distances on the torus: the smallest, and the same relative to the best possible.
 //!
-//! **Formula.** The relative radius in the plane is d_min / sqrt(2 / (sqrt(3) n)), 1 for a
-//! hexagonal lattice; good blue noise has 0.65 to 0.8, independent points about 0.
+//! **Formula.** The relative radius is d_min over the distance of neighbours in the densest lattice,
+//! in the plane sqrt(2 / (sqrt(3) n)): 1 for that lattice; good blue noise has 0.65 to 0.8,
+//! independent points about 0.
 //!
-//! **Cost.** n^2 d / 2 in general; in the plane linear in n, with buckets.
+//! **Cost.** Linear in n in up to four dimensions, with buckets; n^2 d / 2 in more.
 //!
 //! **Paper.** A. Lagae and P. Dutre, A Comparison of Methods for Generating Poisson Disk
 //! Distributions, Comput. Graph. Forum 27(1) (2008), doi 10.1111/j.1467-8659.2007.01100.x.
@@ -17,7 +18,8 @@
 use super::{Measured, Metric, Unmeasured};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
-use crate::samplers::poisson::{Buckets, hexagonal};
+use crate::samplers::digits::root;
+use crate::samplers::poisson::{Buckets, densest};
 
 /// The measure `minimum-distance`.
 pub struct MinimumDistance;
@@ -41,7 +43,7 @@ static DISTANCE: About = About {
 static RADIUS: About = About {
     key: "relative-radius",
     title: "Relative radius",
-    summary: "The smallest distance on the torus over that of a hexagonal lattice of as many points; the plane only.",
+    summary: "The smallest distance on the torus over that of the densest lattice of as many points; up to four dimensions.",
     file: "metrics/dispersion.rs",
     source: include_str!("dispersion.rs"),
     papers: &[Paper {
@@ -71,11 +73,10 @@ impl Metric for MinimumDistance {
 
 impl Metric for RelativeRadius {
     fn measure(&self, points: &Points) -> Result<Measured, Unmeasured> {
-        if points.dimensions() != 2 {
-            return Err(Unmeasured::Kind("the relative radius is defined in two dimensions"));
-        }
+        let best = densest(points.len(), points.dimensions())
+            .ok_or(Unmeasured::Kind("the relative radius is defined in one to four dimensions"))?;
         let distance = minimum_distance(points).ok_or(Unmeasured::Kind("a distance needs two points"))?;
-        Ok(Measured::exact(distance / hexagonal(points.len())))
+        Ok(Measured::exact(distance / best))
     }
 }
 
@@ -84,17 +85,24 @@ pub fn minimum_distance(points: &Points) -> Option<f64> {
     if points.len() < 2 {
         return None;
     }
-    let square = if points.dimensions() == 2 { in_the_plane(points) } else { pairwise(points) };
+    let square = match points.dimensions() {
+        1 => in_buckets::<1>(points),
+        2 => in_buckets::<2>(points),
+        3 => in_buckets::<3>(points),
+        4 => in_buckets::<4>(points),
+        _ => pairwise(points),
+    };
     Some(square.sqrt())
 }
 
 /// Each point asks for its nearest among those before it.
-fn in_the_plane(points: &Points) -> f64 {
-    let mut buckets = Buckets::new((points.len() as f64).sqrt() as usize);
+fn in_buckets<const D: usize>(points: &Points) -> f64 {
+    let side = root(points.len() as u64, D as u32) as usize;
+    let mut buckets = Buckets::<D>::new(side);
     let mut best = f64::INFINITY;
     for row in points.rows() {
         // 1 is 0 on the torus.
-        let place = [row[0] % 1.0, row[1] % 1.0];
+        let place = std::array::from_fn(|axis| row[axis] % 1.0);
         best = best.min(buckets.nearest_below(place, best));
         buckets.add(place);
     }

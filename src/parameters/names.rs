@@ -10,7 +10,7 @@ use super::{Complaint, ParameterType, Unbounded, wrong_type};
 use crate::catalogue::{About, nearest};
 use crate::diag::Code;
 use crate::integrands::{ExpressionError, Function, INTEGRANDS};
-use crate::samplers::{Method, UnknownMethod};
+use crate::samplers::{Method, UnknownMethod, WrongSetting};
 
 impl ParameterType for Method {
     type Bound = Unbounded;
@@ -20,7 +20,10 @@ impl ParameterType for Method {
     }
 
     fn schema() -> Value {
-        json!({ "type": "string", "pattern": "^[a-z0-9-]+(\\+[a-z0-9-]+)?$" })
+        let name = "[a-z0-9-]+";
+        let setting = format!("{name} *= *[0-9]+");
+        let settings = format!("\\( *{setting} *(, *{setting} *)*\\)");
+        json!({ "type": "string", "pattern": format!("^{name}({settings})?(\\+{name})?$") })
     }
 
     fn read(
@@ -35,7 +38,7 @@ impl ParameterType for Method {
         match Method::parse(text) {
             Ok(method) => Some(method),
             Err(error) => {
-                complaints.push(unknown(&error, value.span()));
+                complaints.push(unknown(text, &error, &value.span()));
                 None
             }
         }
@@ -50,16 +53,25 @@ impl ParameterType for Method {
     }
 }
 
-/// What is wrong with the name of a method that stands at `place`.
-fn unknown(error: &UnknownMethod, place: Range<usize>) -> Complaint {
-    let (code, message, list) = match error {
+/// What is wrong with the name `text` of a method, which stands at `place`, quotes included.
+fn unknown(text: &str, error: &UnknownMethod, place: &Range<usize>) -> Complaint {
+    let whole = place.clone();
+    let (code, place, message, list) = match error {
         UnknownMethod::Sampler { written, .. } => {
-            (Code::UnknownName, format!("unknown sampler `{written}`"), "samplers")
+            (Code::UnknownName, whole, format!("unknown sampler `{written}`"), "samplers")
         }
         UnknownMethod::Scramble { written, .. } => {
-            (Code::UnknownName, format!("unknown scramble `{written}`"), "scrambles")
+            (Code::UnknownName, whole, format!("unknown scramble `{written}`"), "scrambles")
         }
-        other => (Code::Combination, other.to_string(), "scrambles"),
+        UnknownMethod::Setting { error: wrong, range, .. } => {
+            let code = match wrong {
+                WrongSetting::Unknown { .. } => Code::UnknownKey,
+                WrongSetting::Value { .. } => Code::OutOfRange,
+                _ => Code::Expression,
+            };
+            (code, inside(text, place, range), error.to_string(), "samplers")
+        }
+        other => (Code::Combination, whole, other.to_string(), "scrambles"),
     };
     Complaint::new(code, place, message)
         .help_if(error.suggestion().map(|name| format!("did you mean `{name}`?")))

@@ -1,38 +1,57 @@
 //! Poisson disks by Bridson's algorithm, on the torus.
 //!
 //! **What.** From a first random point the set grows: around a point of the front up to 30
-//! candidates are thrown in the ring between one and two radii, and the first that is far enough
-//! from all others joins the front; a point with no success leaves it.
+//! candidates (`tries`) are thrown in the shell between one and two radii, and the first that is
+//! far enough from all others joins the front; a point with no success leaves it.
 //!
-//! **Formula.** Each candidate lies uniformly in the ring r <= distance < 2r.
+//! **Formula.** Each candidate lies uniformly in the shell r <= distance < 2r.
 //!
-//! **Guarantees.** No two points are nearer on the torus than 0.65 of the largest possible
-//! distance; unbiased.
+//! **Guarantees.** No two points are nearer on the torus than 0.60 of the largest possible
+//! distance (0.45 with fewer than 30 tries); unbiased.
 //!
-//! **Cost.** Linear in n for each run; the radius is corrected over several runs until a run ends
-//! with exactly n points.
+//! **Cost.** Linear in n for each run; the radius is corrected over up to nine runs until one ends
+//! with exactly n points, and then shrunk in up to 64 steps, each linear in n as well.
 //!
-//! **Limits.** Two dimensions. It is not the distribution of dart throwing: points crowd just
-//! beyond the radius of their parent. The count of a run cannot be foreseen; if eight runs miss n,
-//! the nearest larger one loses its surplus at random.
+//! **Limits.** One to four dimensions. It is not the distribution of dart throwing: points crowd
+//! just beyond the radius of their parent. The count of a run cannot be foreseen. If no run hits n,
+//! the nearest with fewer points grows on from all of them while the radius shrinks, by less than a
+//! per cent or two, until there are n: no point is ever removed, and at the end every point has
+//! failed `tries` times at the final radius.
 //!
 //! **Paper.** R. Bridson, Fast Poisson Disk Sampling in Arbitrary Dimensions, SIGGRAPH sketches
 //! 2007, doi 10.1145/1278780.1278807.
 //!
 //! ```
-//! use workbook::{samplers::{Sampler, bridson::Bridson}, seed::Seed};
-//! assert_eq!(Bridson.points(100, 2, Seed::new(1))?.len(), 100);
+//! use workbook::{samplers::{Sampler, bridson}, seed::Seed};
+//! assert_eq!(bridson::PLAIN.points(100, 2, Seed::new(1))?.len(), 100);
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::poisson::{Buckets, Place, exactly, uniform};
-use super::{Guarantee, Refused, Sampler, refused};
+use super::poisson::{self, Buckets, Place, exactly, in_dimensions, uniform};
+use super::{Guarantee, Preset, Refused, Sampler, Setting, Values, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::{Random, Seed};
 
-/// The sampler `bridson`.
-pub struct Bridson;
+/// The sampler `bridson`, with so many tries.
+pub struct Bridson {
+    tries: u32,
+}
+
+/// The sampler without settings.
+pub const PLAIN: Bridson = Bridson { tries: TRIES };
+
+/// Candidates around a point before it leaves the front, where they are not set.
+const TRIES: u32 = 30;
+
+static SETTINGS: [Setting; 1] = [Setting {
+    name: "tries",
+    meaning: "how many candidates a point throws around it before it leaves the front",
+    least: 1,
+    most: 1000,
+    is_prime: false,
+    default: Preset::Number(TRIES),
+}];
 
 static ABOUT: About = About {
     key: "bridson",
@@ -57,32 +76,53 @@ impl Entry for Bridson {
 
 impl Sampler for Bridson {
     fn guarantees(&self) -> &'static [Guarantee] {
-        &[Guarantee::Separated { percent: 65 }, Guarantee::Unbiased]
+        if self.tries < TRIES {
+            &[Guarantee::Separated { percent: 45 }, Guarantee::Unbiased]
+        } else {
+            &[Guarantee::Separated { percent: 60 }, Guarantee::Unbiased]
+        }
+    }
+
+    fn settings(&self) -> &'static [Setting] {
+        &SETTINGS
+    }
+
+    fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
+        Some(Box::new(Self { tries: values.at(0).unwrap_or(TRIES) }))
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        refused::plane(n, d)
+        poisson::check(n, d)
     }
 
     fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
         self.admits(n, d)?;
-        let places = exactly(n, seed, 0.72, grow);
-        refused::points(d, places.into_flattened())
+        refused::points(d, in_dimensions!(d, set(n, self.tries, seed))?)
     }
 }
 
-/// Candidates around a point before it leaves the front.
-const CANDIDATES: usize = 30;
+/// Exactly `n` points.
+fn set<const D: usize>(n: usize, tries: u32, seed: Seed) -> Result<Vec<Place<D>>, Refused> {
+    exactly(n, seed, 0.72, |start, radius, random| grow_on(start, radius, tries, random))
+}
 
-/// A set that has grown until its front is empty.
-pub fn grow(radius: f64, random: &mut Random) -> Vec<Place> {
+/// A set of the plane that has grown until its front is empty.
+pub fn grow(radius: f64, random: &mut Random) -> Vec<Place<2>> {
+    grow_on(&[], radius, TRIES, random)
+}
+
+/// A set that has grown from the points of `start`, or a random one, until its front is empty.
+fn grow_on<const D: usize>(start: &[Place<D>], radius: f64, tries: u32, random: &mut Random) -> Vec<Place<D>> {
     let mut buckets = Buckets::new((1.0 / radius) as usize);
-    buckets.add(uniform(random));
-    let mut front = vec![0];
+    start.iter().for_each(|&place| buckets.add(place));
+    if start.is_empty() {
+        buckets.add(uniform(random));
+    }
+    let mut front: Vec<usize> = (0..buckets.places().len()).collect();
     while !front.is_empty() {
         let chosen = random.below(front.len() as u64) as usize;
         let parent = buckets.places()[front[chosen]];
-        let candidates = (0..CANDIDATES).map(|_| beside(parent, radius, random));
+        let candidates = (0..tries).map(|_| beside(parent, radius, random));
         if let Some(child) = { candidates }.find(|&child| !buckets.any_within(child, radius)) {
             front.push(buckets.places().len());
             buckets.add(child);
@@ -90,16 +130,16 @@ pub fn grow(radius: f64, random: &mut Random) -> Vec<Place> {
             front.swap_remove(chosen);
         }
     }
-    buckets.places().to_vec()
+    buckets.into_places()
 }
 
-/// A uniform point of the ring from one to two radii around `centre`, on the torus.
-fn beside(centre: Place, radius: f64, random: &mut Random) -> Place {
+/// A uniform point of the shell from one to two radii around `centre`, on the torus.
+fn beside<const D: usize>(centre: Place<D>, radius: f64, random: &mut Random) -> Place<D> {
     loop {
-        let offset = uniform(random).map(|u| 4.0 * u - 2.0);
-        let length = offset[0] * offset[0] + offset[1] * offset[1];
+        let offset: Place<D> = uniform(random).map(|u| 4.0 * u - 2.0);
+        let length = offset.iter().fold(0.0, |sum, x| sum + x * x);
         if (1.0..4.0).contains(&length) {
-            return [0, 1].map(|axis| wrap(centre[axis] + radius * offset[axis]));
+            return std::array::from_fn(|axis| wrap(centre[axis] + radius * offset[axis]));
         }
     }
 }

@@ -3,15 +3,16 @@
 //! **What.** Uniform points come one by one, and each is refused if it lies nearer to one before
 //! than the radius.
 //!
-//! **Formula.** The radius is r = 0.7 sqrt(2 / (sqrt(3) n)), 0.7 of the largest distance that n
-//! points can keep; the disks of radius r/2 cover 0.44 of the torus, where throwing jams at 0.547.
+//! **Formula.** The radius is 0.7 of the largest distance that n points can keep, in the plane r =
+//! 0.7 sqrt(2 / (sqrt(3) n)); there the disks of radius r/2 cover 0.44 of the torus, where throwing
+//! jams at 0.547.
 //!
 //! **Guarantees.** No two points are nearer on the torus than 0.7 of the largest possible distance;
 //! unbiased.
 //!
 //! **Cost.** Linear in n with buckets: about 40 darts for each point.
 //!
-//! **Limits.** Two dimensions. Holes remain, larger than in a [maximal](super::maximal_poisson)
+//! **Limits.** One to four dimensions. Holes remain, larger than in a [maximal](super::maximal_poisson)
 //! set. A throw that jams starts again.
 //!
 //! **Paper.** R. L. Cook, Stochastic Sampling in Computer Graphics (1986), doi 10.1145/7529.8927;
@@ -24,7 +25,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::poisson::{Buckets, Place, hexagonal, uniform};
+use super::poisson::{self, Buckets, Place, densest, in_dimensions, uniform};
 use super::{Guarantee, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
@@ -69,16 +70,24 @@ impl Sampler for DartThrowing {
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        refused::plane(n, d)
+        poisson::check(n, d)
     }
 
     fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
         self.admits(n, d)?;
-        let radius = SHARE * hexagonal(n);
-        let places = (0..).find_map(|attempt| throw(n, radius, &mut seed.at(attempt).generator()));
-        refused::points(d, places.unwrap_or_default().into_flattened())
+        refused::points(d, in_dimensions!(d, set(n, seed))?)
     }
 }
+
+/// Exactly `n` points: throws that jam start again.
+fn set<const D: usize>(n: usize, seed: Seed) -> Result<Vec<Place<D>>, Refused> {
+    let radius = SHARE * densest(n, D).unwrap_or(1.0);
+    let places = (0..ATTEMPTS).find_map(|attempt| throw(n, radius, &mut seed.at(attempt).generator()));
+    places.ok_or(Refused::Count { n, below: None, above: None, rule: "a count that throwing reaches" })
+}
+
+/// Throws before it is given up: one in some hundreds jams.
+const ATTEMPTS: u64 = 10_000;
 
 /// The radius as a share of the largest distance.
 const SHARE: f64 = 0.7;
@@ -87,11 +96,11 @@ const SHARE: f64 = 0.7;
 const PATIENCE: usize = 20_000;
 
 /// `n` points no two of which are nearer than `radius`; `None` if the throw jams before.
-pub fn throw(n: usize, radius: f64, random: &mut Random) -> Option<Vec<Place>> {
+pub fn throw<const D: usize>(n: usize, radius: f64, random: &mut Random) -> Option<Vec<Place<D>>> {
     let mut buckets = Buckets::new((1.0 / radius) as usize);
     while buckets.places().len() < n {
         let dart = (0..PATIENCE).map(|_| uniform(random)).find(|&dart| !buckets.any_within(dart, radius))?;
         buckets.add(dart);
     }
-    Some(buckets.places().to_vec())
+    Some(buckets.into_places())
 }

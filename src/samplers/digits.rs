@@ -107,21 +107,6 @@ pub fn root(n: u64, d: u32) -> u64 {
     low
 }
 
-/// Columns and rows of the grid of `n` cells nearest to a square, with rows <= columns <= 2 rows;
-/// `None` where n has no such factors.
-pub fn sides(n: usize) -> Option<(usize, usize)> {
-    let rows = (1..=root(n as u64, 2) as usize)
-        .rev()
-        .take_while(|&rows| n <= 2 * rows * rows)
-        .find(|&rows| n.is_multiple_of(rows))?;
-    Some((n / rows, rows))
-}
-
-/// The slabs of each axis: n in one dimension, columns and rows in two.
-pub fn cuts(n: usize, d: usize) -> Vec<usize> {
-    if d == 1 { vec![n] } else { sides(n).map_or(vec![n, 1], |(columns, rows)| vec![columns, rows]) }
-}
-
 /// Whether `n` is prime.
 pub fn is_prime(n: u64) -> bool {
     n > 1 && (2..n).take_while(|k| k * k <= n).all(|k| !n.is_multiple_of(k))

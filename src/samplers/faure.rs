@@ -1,6 +1,6 @@
 //! The Faure sequence: powers of the Pascal matrix in a prime base.
 //!
-//! **What.** All d axes share the smallest prime p >= d as base; axis j multiplies the digits of
+//! **What.** All d axes share a prime p >= d as base, the smallest unless it is set; axis j multiplies the digits of
 //! the index by the j-th power of Pascal's triangle modulo p.
 //!
 //! **Formula.** The matrix of axis j has the entries C\[r\]\[c\] = binom(c, r) j^(c-r) mod p for r
@@ -20,14 +20,16 @@
 //! s), Acta Arith. 41 (1982), doi 10.4064/aa-41-4-337-351.
 //!
 //! ```
-//! use workbook::{samplers::{Sampler, faure::Faure}, seed::Seed};
-//! let points = Faure.points(4, 3, Seed::new(1))?;
+//! use workbook::{samplers::{Sampler, faure}, seed::Seed};
+//! let points = faure::PLAIN.points(4, 3, Seed::new(1))?;
 //! let third: Vec<f64> = points.axis(2).map(|x| x * 9.0).collect();
 //! assert_eq!(third, [0.0, 3.0, 6.0, 7.0]);
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, digital_points, digits, refused};
+use super::{
+    Digital, Digits, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, digital_points, digits, refused,
+};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -38,8 +40,22 @@ const MOST_DIMENSIONS: usize = 256;
 /// The primes up to 257.
 const PRIMES: [u32; 55] = digits::primes();
 
-/// The sampler `faure`.
-pub struct Faure;
+/// The sampler `faure`, in the base that it is told.
+pub struct Faure {
+    base: Option<u32>,
+}
+
+/// The sampler without settings.
+pub const PLAIN: Faure = Faure { base: None };
+
+static SETTINGS: [Setting; 1] = [Setting {
+    name: "base",
+    meaning: "the prime base p of all axes, at least d",
+    least: 2,
+    most: 257,
+    is_prime: true,
+    default: Preset::Rule("the smallest prime not below d"),
+}];
 
 static ABOUT: About = About {
     key: "faure",
@@ -67,8 +83,16 @@ impl Sampler for Faure {
         &[Guarantee::Prefix, Guarantee::Net, Guarantee::Deterministic]
     }
 
+    fn settings(&self) -> &'static [Setting] {
+        &SETTINGS
+    }
+
+    fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
+        Some(Box::new(Self { base: values.at(0) }))
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        refused::check(n, d, MOST_DIMENSIONS)
+        refused::check(n, d, self.base.map_or(MOST_DIMENSIONS, |base| MOST_DIMENSIONS.min(base as usize)))
     }
 
     fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
@@ -76,16 +100,22 @@ impl Sampler for Faure {
     }
 
     fn net(&self, d: usize) -> Option<Net> {
-        Some(Net { base: base(d), t: 0 })
+        Some(Net { base: self.base(d), t: 0 })
     }
 
     fn digits(&self) -> Digits {
-        Digits::Mixed
+        if self.base == Some(2) { Digits::Binary } else { Digits::Mixed }
     }
 
     fn digital(&self, _n: usize, d: usize) -> Option<Box<dyn Digital>> {
-        let radix = Radix::new(base(d));
+        let radix = Radix::new(self.base(d));
         Some(Box::new(Sequence { radix, matrices: (0..d as u64).map(|axis| matrix(radix, axis)).collect() }))
+    }
+}
+
+impl Faure {
+    fn base(&self, d: usize) -> u32 {
+        self.base.unwrap_or_else(|| base(d))
     }
 }
 

@@ -3,36 +3,52 @@
 //! **What.** The first axis has the fractions i/n, the axes behind it the radical inverses in the
 //! first d - 1 primes: one radical inverse fewer than Halton's.
 //!
-//! **Formula.** x_i = (i/n, Phi_2(i), ..., Phi_p(i)) with p the (d-1)-th prime.
+//! **Formula.** x_i = (i/n, Phi_2(i), ..., Phi_p(i)) with p the (d-1)-th prime; where a base b is
+//! set, x_i = (i/n, Phi_b(i)).
 //!
 //! **Guarantees.** Deterministic; star discrepancy O(log^(d-1)(n) / n). In two dimensions and for
-//! n = 2^m it is a (0, m, 2)-net of discrepancy (m/3 + 13/9 - (-1)^m 4/(9 2^m)) / 2^m.
+//! n = b^m it is a (0, m, 2)-net in base b, in base 2 of discrepancy (m/3 + 13/9 - (-1)^m 4/(9
+//! 2^m)) / 2^m.
 //!
 //! **Cost.** As Halton's.
 //!
 //! **Limits.** A set, not a sequence: n must be known before the first point. At most 257
-//! dimensions. Scrambled, the first axis counts as one of base b where n = b^m with the smallest
+//! dimensions, two where a base is set. Scrambled, the first axis counts as one of base b where n = b^m with the smallest
 //! such b, so that the shift or tree fits the net.
 //!
 //! **Paper.** J. M. Hammersley, Monte Carlo Methods for Solving Multivariable Problems, Ann. N. Y.
 //! Acad. Sci. 86 (1960), doi 10.1111/j.1749-6632.1960.tb42846.x.
 //!
 //! ```
-//! use workbook::{samplers::{Sampler, hammersley::Hammersley}, seed::Seed};
-//! let points = Hammersley.points(4, 2, Seed::new(1))?;
+//! use workbook::{samplers::{Sampler, hammersley}, seed::Seed};
+//! let points = hammersley::PLAIN.points(4, 2, Seed::new(1))?;
 //! assert_eq!(points.coordinates(), [0.0, 0.0, 0.25, 0.5, 0.5, 0.25, 0.75, 0.75]);
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
 use super::digits::{logarithm, root};
 use super::halton::{MOST_DIMENSIONS, PRIMES};
-use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, batch, refused};
+use super::{Digital, Digits, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, batch, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
 
-/// The sampler `hammersley`.
-pub struct Hammersley;
+/// The sampler `hammersley`, in the base that it is told.
+pub struct Hammersley {
+    base: Option<u32>,
+}
+
+/// The sampler without settings.
+pub const PLAIN: Hammersley = Hammersley { base: None };
+
+static SETTINGS: [Setting; 1] = [Setting {
+    name: "base",
+    meaning: "the base b of the second of two axes",
+    least: 2,
+    most: 2048,
+    is_prime: false,
+    default: Preset::Rule("the primes in their order: 2 on the second axis, 3 on the third"),
+}];
 
 static ABOUT: About = About {
     key: "hammersley",
@@ -60,8 +76,16 @@ impl Sampler for Hammersley {
         &[Guarantee::Whole, Guarantee::Deterministic]
     }
 
+    fn settings(&self) -> &'static [Setting] {
+        &SETTINGS
+    }
+
+    fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
+        Some(Box::new(Self { base: values.at(0) }))
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        refused::check(n, d, MOST_DIMENSIONS + 1)
+        refused::check(n, d, if self.base.is_some() { 2 } else { MOST_DIMENSIONS + 1 })
     }
 
     fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
@@ -70,14 +94,15 @@ impl Sampler for Hammersley {
         for (i, point) in coordinates.chunks_exact_mut(d).enumerate() {
             point[0] = i as f64 / n as f64;
         }
-        for (axis, prime) in (1..d).zip(PRIMES) {
-            batch::radical(Radix::new(prime), |_, digit| digit, 0.0, &mut coordinates[axis..], d);
+        for (axis, base) in (1..d).zip(self.bases()) {
+            batch::radical(Radix::new(base), |_, digit| digit, 0.0, &mut coordinates[axis..], d);
         }
         refused::points(d, coordinates)
     }
 
     fn whole_net(&self, n: usize, d: usize) -> Option<Net> {
-        (d <= 2 && logarithm(n as u64, 2).is_some()).then_some(Net { base: 2, t: 0 })
+        let base = self.base.unwrap_or(2);
+        (d <= 2 && logarithm(n as u64, base).is_some()).then_some(Net { base, t: 0 })
     }
 
     fn digits(&self) -> Digits {
@@ -94,8 +119,16 @@ impl Sampler for Hammersley {
         // scramble takes as one.
         let first = if base == 2 { Radix::new(2) } else { Radix { base, digits: logarithm(n, base)?, scale: n } };
         let mut radices = vec![first];
-        radices.extend(PRIMES.iter().take(d - 1).map(|&prime| Radix::new(prime)));
+        radices.extend(self.bases().take(d - 1).map(Radix::new));
         Some(Box::new(Set { n, radices }))
+    }
+}
+
+impl Hammersley {
+    /// The bases of the axes from the second on.
+    fn bases(&self) -> impl Iterator<Item = u32> {
+        let primes = if self.base.is_some() { &[] } else { &PRIMES[..] };
+        self.base.into_iter().chain(primes.iter().copied())
     }
 }
 

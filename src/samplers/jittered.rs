@@ -1,9 +1,10 @@
 //! Jittered sampling: one random point in each cell of a regular grid.
 //!
-//! **What.** The unit cube is cut into n = k^d equal cells, and each gets one uniform point of its
-//! own. Cell i has the coordinates of i written in base k, the first axis fastest.
+//! **What.** The unit cube is cut into n = k^d equal cells, the square also into the rows and
+//! columns that are set, and each cell gets one uniform point of its own. Cells are counted with
+//! the first axis fastest.
 //!
-//! **Formula.** x_j = (c_j + u_j) / k, with c_j in 0..k and u_j uniform on [0, 1).
+//! **Formula.** x_j = (c_j + u_j) / k_j, with c_j in 0..k_j and u_j uniform on [0, 1).
 //!
 //! **Guarantees.** One point in each cell; unbiased. The variance is never above that of
 //! independent points (no more than the variance within the cells is left), and falls like
@@ -11,7 +12,8 @@
 //!
 //! **Cost.** One random number for each coordinate.
 //!
-//! **Limits.** n must be the d-th power of a whole number, any n for d = 1; n grows too fast with d
+//! **Limits.** n must be the d-th power of a whole number, any n for d = 1, unless rows or columns
+//! are set, in two dimensions; n grows too fast with d
 //! for more than a few dimensions.
 //!
 //! **Papers.** R. L. Cook, Stochastic Sampling in Computer Graphics, ACM Trans. Graph. 5(1) (1986),
@@ -19,22 +21,28 @@
 //! 10.1090/S0025-5718-1966-0210285-0.
 //!
 //! ```
-//! use workbook::{samplers::{Sampler, jittered::Jittered}, seed::Seed};
-//! let points = Jittered.points(4, 2, Seed::new(7))?;
+//! use workbook::{samplers::{Sampler, jittered}, seed::Seed};
+//! let points = jittered::PLAIN.points(4, 2, Seed::new(7))?;
 //! let upper_right = points.rows().filter(|x| x[0] >= 0.5 && x[1] >= 0.5).count();
 //! assert_eq!(upper_right, 1);
-//! assert!(Jittered.points(5, 2, Seed::new(7)).is_err());
+//! assert!(jittered::PLAIN.points(5, 2, Seed::new(7)).is_err());
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
 use super::digits::{root, within};
-use super::{Guarantee, Refused, Sampler, refused};
+use super::sides::{self, Sides};
+use super::{Guarantee, Refused, Sampler, Setting, Values, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::{Random, Seed};
 
-/// The sampler `jittered`.
-pub struct Jittered;
+/// The sampler `jittered`, on the grid that it is told.
+pub struct Jittered {
+    sides: Sides,
+}
+
+/// The sampler without settings.
+pub const PLAIN: Jittered = Jittered { sides: Sides::FREE };
 
 static ABOUT: About = About {
     key: "jittered",
@@ -71,27 +79,39 @@ impl Sampler for Jittered {
         &[Guarantee::Strata, Guarantee::Unbiased]
     }
 
+    fn settings(&self) -> &'static [Setting] {
+        sides::SETTINGS
+    }
+
+    fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
+        Some(Box::new(Self { sides: Sides::told(values) }))
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        refused::power(n, d)
+        if self.sides.is_free() { refused::power(n, d) } else { self.sides.check(n, d) }
     }
 
     fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
         self.admits(n, d)?;
         let mut coordinates = refused::allocate(n, d)?;
-        let k = root(n as u64, d as u32);
+        let cuts = self.strata(n, d);
         let mut random = seed.generator();
         for (i, point) in coordinates.chunks_exact_mut(d).enumerate() {
-            jitter(i as u64, k, point, &mut random);
+            jitter(i, &cuts, point, &mut random);
         }
         refused::points(d, coordinates)
     }
+
+    fn strata(&self, n: usize, d: usize) -> Vec<usize> {
+        if self.sides.is_free() { vec![root(n as u64, d as u32) as usize; d] } else { self.sides.cuts(n, d) }
+    }
 }
 
-/// A uniform point in cell `cell` of the grid of `k` cells an axis, the first axis fastest.
-pub fn jitter(cell: u64, k: u64, point: &mut [f64], random: &mut Random) {
+/// A uniform point in cell `cell` of the grid of `cuts[j]` cells on axis j, the first axis fastest.
+pub fn jitter(cell: usize, cuts: &[usize], point: &mut [f64], random: &mut Random) {
     let mut rest = cell;
-    for x in point {
-        *x = within(rest % k, k, random.uniform());
-        rest /= k;
+    for (x, &cut) in point.iter_mut().zip(cuts) {
+        *x = within((rest % cut) as u64, cut as u64, random.uniform());
+        rest /= cut;
     }
 }

@@ -1,7 +1,8 @@
 //! Korobov lattices: rank-1 lattices of the powers of one multiplier.
 //!
 //! **What.** All n points are multiples of one vector modulo 1, (1, a, a^2, ...) / n. The
-//! multiplier a is the best of up to 64 by the worst-case error of periodic functions.
+//! multiplier a is set (`generator`), or the best of up to 64 by the worst-case error of periodic
+//! functions.
 //!
 //! **Formula.** x_i = (i (1, a, ..., a^(d-1)) mod n) / n; the criterion is P_2 = -1 + (1/n) sum
 //! over i, prod over j of (1 + 2 pi^2 B_2(x_ij)), with B_2(x) = x^2 - x + 1/6.
@@ -20,13 +21,13 @@
 //! Oxford 1994.
 //!
 //! ```
-//! use workbook::{samplers::{Sampler, korobov::Korobov}, seed::Seed};
-//! let points = Korobov.points(7, 3, Seed::new(1))?;
+//! use workbook::{samplers::{Sampler, korobov}, seed::Seed};
+//! let points = korobov::PLAIN.points(7, 3, Seed::new(1))?;
 //! assert_eq!(points.axis(0).nth(3), Some(3.0 / 7.0));
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Guarantee, Refused, Sampler, refused};
+use super::{Guarantee, Preset, Refused, Sampler, Setting, Values, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -39,8 +40,22 @@ const CANDIDATES: u64 = 64;
 /// Points over which the criterion is summed at most.
 const SCORED: u64 = 4096;
 
-/// The sampler `korobov`.
-pub struct Korobov;
+/// The sampler `korobov`, with the multiplier that it is told.
+pub struct Korobov {
+    generator: Option<u32>,
+}
+
+/// The sampler without settings.
+pub const PLAIN: Korobov = Korobov { generator: None };
+
+static SETTINGS: [Setting; 1] = [Setting {
+    name: "generator",
+    meaning: "the multiplier a, which must have no common divisor with n",
+    least: 1,
+    most: 1 << 30,
+    is_prime: false,
+    default: Preset::Rule("the best of 64 that are tried for each n"),
+}];
 
 static ABOUT: About = About {
     key: "korobov",
@@ -77,14 +92,30 @@ impl Sampler for Korobov {
         &[Guarantee::Latin, Guarantee::Deterministic]
     }
 
+    fn settings(&self) -> &'static [Setting] {
+        &SETTINGS
+    }
+
+    fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
+        Some(Box::new(Self { generator: values.at(0) }))
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        refused::check(n, d, usize::MAX)
+        refused::check(n, d, usize::MAX)?;
+        let fits = |&n: &usize| self.generator.is_none_or(|a| coprime(u64::from(a), n as u64));
+        if fits(&n) {
+            return Ok(());
+        }
+        // Of the numbers next to each other at least 1 and a + 1 fit.
+        let (below, above) = ((1..n).rev().find(fits), (n + 1..).find(fits));
+        Err(Refused::Count { n, below, above, rule: "without a common divisor with the generator" })
     }
 
     fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
         self.admits(n, d)?;
         let mut coordinates = refused::allocate(n, d)?;
-        let steps = powers(multiplier(n as u64, d), n as u64, d);
+        let a = self.generator.map_or_else(|| multiplier(n as u64, d), u64::from);
+        let steps = powers(a % n as u64, n as u64, d);
         for (i, point) in coordinates.chunks_exact_mut(d).enumerate() {
             for (x, &step) in point.iter_mut().zip(&steps) {
                 *x = fraction(i as u64, step, n as u64);

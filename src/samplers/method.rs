@@ -1,13 +1,16 @@
 //! A sampler with or without a scramble, by name.
 
+use super::settings::{Part, Values, WrongSetting};
 use super::{Guarantee, Net, Refused, SAMPLERS, Sampler};
 use crate::catalogue::{About, Entry, find, nearest};
 use crate::points::Points;
 use crate::scrambles::{self, SCRAMBLES, Scramble};
 use crate::seed::Seed;
 use std::fmt::{self, Debug, Display, Formatter};
+use std::ops::{Deref, Range};
 
-/// A sampler with an optional scramble, such as `halton` or `sobol+xor`.
+/// A sampler, perhaps with settings, and an optional scramble: `halton`, `sobol+xor`,
+/// `faure(base=5)+owen`.
 ///
 /// ```
 /// use workbook::{samplers::Method, seed::Seed};
@@ -18,8 +21,28 @@ use std::fmt::{self, Debug, Display, Formatter};
 /// ```
 #[derive(Clone, Copy)]
 pub struct Method {
-    sampler: &'static dyn Sampler,
+    entry: &'static dyn Sampler,
+    values: Values,
     scramble: Option<&'static dyn Scramble>,
+}
+
+/// A sampler as a method has it: the catalogue's own, or one that has been told its settings.
+pub enum Chosen {
+    /// The catalogue's.
+    Plain(&'static dyn Sampler),
+    /// One with settings.
+    Told(Box<dyn Sampler>),
+}
+
+impl Deref for Chosen {
+    type Target = dyn Sampler;
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Self::Plain(sampler) => *sampler,
+            Self::Told(sampler) => sampler.as_ref(),
+        }
+    }
 }
 
 /// Why a name is not the name of a method.
@@ -49,6 +72,15 @@ pub enum UnknownMethod {
         /// Why not.
         reason: &'static str,
     },
+    /// The sampler is known, but not what is set in it.
+    Setting {
+        /// The sampler's name.
+        sampler: &'static str,
+        /// What is wrong.
+        error: WrongSetting,
+        /// The bytes of the name where it is wrong.
+        range: Range<usize>,
+    },
 }
 
 impl UnknownMethod {
@@ -56,7 +88,8 @@ impl UnknownMethod {
     pub fn suggestion(&self) -> Option<&'static str> {
         match self {
             Self::Sampler { nearest, .. } | Self::Scramble { nearest, .. } => *nearest,
-            Self::Combination { .. } => None,
+            Self::Setting { error: WrongSetting::Unknown { nearest, .. }, .. } => *nearest,
+            Self::Setting { .. } | Self::Combination { .. } => None,
         }
     }
 }
@@ -69,6 +102,7 @@ impl Display for UnknownMethod {
             Self::Combination { sampler, scramble, reason } => {
                 write!(f, "`{sampler}` cannot be combined with `{scramble}`: {reason}")
             }
+            Self::Setting { sampler, error, .. } => write!(f, "`{sampler}`: {error}"),
         }
     }
 }
@@ -81,58 +115,88 @@ fn unknown(f: &mut Formatter<'_>, what: &str, written: &str, nearest: Option<&st
 }
 
 impl Method {
-    /// The method called `name`: a sampler's key, or a sampler's and a scramble's joined by `+`.
+    /// The method called `name`: a sampler's key, perhaps with settings in brackets, or that and a
+    /// scramble's key joined by `+`.
     pub fn parse(name: &str) -> Result<Self, UnknownMethod> {
-        let (first, second) = match name.split_once('+') {
-            Some((first, second)) => (first.trim(), Some(second.trim())),
-            None => (name.trim(), None),
+        let whole = Part::new(name);
+        let (first, second) = match whole.split_once('+') {
+            Some((first, second)) => (first, Some(second.text)),
+            None => (whole, None),
         };
-        let sampler = find(SAMPLERS, first).ok_or_else(|| UnknownMethod::Sampler {
-            written: first.to_owned(),
-            nearest: nearest(first, SAMPLERS.iter().map(|sampler| sampler.about().key)),
+        let (key, brackets) = first.split_once('(').map_or((first, None), |(key, rest)| (key, Some(rest)));
+        let entry = find(SAMPLERS, key.text).ok_or_else(|| UnknownMethod::Sampler {
+            written: key.text.to_owned(),
+            nearest: nearest(key.text, SAMPLERS.iter().map(|sampler| sampler.about().key)),
         })?;
-        let Some(second) = second else { return Ok(Self { sampler, scramble: None }) };
-        let scramble = find(SCRAMBLES, second).ok_or_else(|| UnknownMethod::Scramble {
-            written: second.to_owned(),
-            nearest: nearest(second, SCRAMBLES.iter().map(|scramble| scramble.about().key)),
+        let read = |brackets: Part<'_>| {
+            let inside = brackets.strip_end(')').ok_or((WrongSetting::Form, first.range()))?;
+            Values::read(entry.settings(), inside)
+        };
+        let values = brackets.map_or(Ok(Values::default()), read);
+        let wrong = |(error, range)| UnknownMethod::Setting { sampler: entry.about().key, error, range };
+        let method = Self { entry, values: values.map_err(wrong)?, scramble: None };
+        second.map_or(Ok(method), |second| method.scrambled(second))
+    }
+
+    /// The same sampler with the scramble called `name`.
+    fn scrambled(self, name: &str) -> Result<Self, UnknownMethod> {
+        let scramble = find(SCRAMBLES, name).ok_or_else(|| UnknownMethod::Scramble {
+            written: name.to_owned(),
+            nearest: nearest(name, SCRAMBLES.iter().map(|scramble| scramble.about().key)),
         })?;
-        scramble.combines(sampler).map_err(|reason| UnknownMethod::Combination {
-            sampler: sampler.about().key,
+        scramble.combines(&*self.sampler()).map_err(|reason| UnknownMethod::Combination {
+            sampler: self.entry.about().key,
             scramble: scramble.about().key,
             reason,
         })?;
-        Ok(Self { sampler, scramble: Some(scramble) })
+        Ok(Self { scramble: Some(scramble), ..self })
     }
 
-    /// Every method: each sampler alone, then with each scramble that it combines with.
+    /// Every method without settings: each sampler alone, then with each scramble that it combines
+    /// with.
     pub fn all() -> impl Iterator<Item = Self> {
-        SAMPLERS.iter().flat_map(|&sampler| {
-            let scrambles = SCRAMBLES.iter().filter(move |scramble| scramble.combines(sampler).is_ok());
-            std::iter::once(None)
-                .chain(scrambles.map(|&scramble| Some(scramble)))
-                .map(move |scramble| Self { sampler, scramble })
-        })
+        SAMPLERS.iter().flat_map(|&entry| Self { entry, values: Values::default(), scramble: None }.family())
     }
 
-    /// The name that [`parse`](Self::parse) reads: `sobol+xor`.
+    /// This sampler, with its settings, alone and with each scramble that it combines with.
+    pub fn family(self) -> impl Iterator<Item = Self> {
+        let scrambles = SCRAMBLES.iter().filter(move |scramble| scramble.combines(&*self.sampler()).is_ok());
+        std::iter::once(None)
+            .chain(scrambles.map(|&scramble| Some(scramble)))
+            .map(move |scramble| Self { scramble, ..self })
+    }
+
+    /// The name that [`parse`](Self::parse) reads, in its one canonical form: `sobol+xor`,
+    /// `faure(base=5)`. Settings stand in the order of their declaration, defaults are left out.
     pub fn name(&self) -> String {
-        self.scramble.map_or_else(
-            || self.sampler.about().key.to_owned(),
-            |scramble| format!("{}+{}", self.sampler.about().key, scramble.about().key),
-        )
+        let sampler = self.sampler_name();
+        self.scramble.map_or_else(|| sampler.clone(), |scramble| format!("{sampler}+{}", scramble.about().key))
     }
 
-    /// The name as prose uses it: `Sobol' with XOR`.
+    /// The name of the sampler with its settings, which is also the name of its random stream.
+    fn sampler_name(&self) -> String {
+        let key = self.entry.about().key;
+        if self.values.is_plain() { key.to_owned() } else { format!("{key}({})", self.told('=', ",")) }
+    }
+
+    /// The settings that are not the defaults.
+    fn told(&self, equals: char, comma: &str) -> String {
+        let settings = self.values.written(self.entry.settings());
+        settings.map(|(setting, value)| format!("{}{equals}{value}", setting.name)).collect::<Vec<_>>().join(comma)
+    }
+
+    /// The name as prose uses it: `Sobol' with XOR`, `Faure (base 5)`.
     pub fn title(&self) -> String {
-        self.scramble.map_or_else(
-            || self.sampler.about().title.to_owned(),
-            |scramble| format!("{} with {}", self.sampler.about().title, scramble.about().title),
-        )
+        let title = self.entry.about().title;
+        let sampler =
+            if self.values.is_plain() { title.to_owned() } else { format!("{title} ({})", self.told(' ', ", ")) };
+        self.scramble.map_or_else(|| sampler.clone(), |scramble| format!("{sampler} with {}", scramble.about().title))
     }
 
     /// The sampler.
-    pub fn sampler(&self) -> &'static dyn Sampler {
-        self.sampler
+    pub fn sampler(&self) -> Chosen {
+        let told = if self.values.is_plain() { None } else { self.entry.with(self.values) };
+        told.map_or(Chosen::Plain(self.entry), Chosen::Told)
     }
 
     /// The scramble, if there is one.
@@ -142,19 +206,19 @@ impl Method {
 
     /// What the parts tell about themselves: the sampler first.
     pub fn abouts(&self) -> Vec<&'static About> {
-        std::iter::once(self.sampler.about()).chain(self.scramble.map(Entry::about)).collect()
+        std::iter::once(self.entry.about()).chain(self.scramble.map(Entry::about)).collect()
     }
 
     /// Whether it can give exactly `n` points of `d` dimensions.
     pub fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        self.sampler.admits(n, d)
+        self.sampler().admits(n, d)
     }
 
     /// The `n x d` points for `seed`: the same arguments give the same bits, everywhere.
     pub fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
         match self.scramble {
-            None => self.sampler.points(n, d, seed.named(self.sampler.about().key)),
-            Some(scramble) => scrambles::points(self.sampler, scramble, n, d, seed),
+            None => self.sampler().points(n, d, seed.named(&self.sampler_name())),
+            Some(scramble) => scrambles::points((&*self.sampler(), &self.sampler_name()), scramble, n, d, seed),
         }
     }
 
@@ -165,8 +229,9 @@ impl Method {
 
     /// What sampler and scramble promise together.
     pub fn guarantees(&self) -> Vec<Guarantee> {
-        let Some(scramble) = self.scramble else { return self.sampler.guarantees().to_vec() };
-        let kept = self.sampler.guarantees().iter().copied().filter(|&guarantee| match guarantee {
+        let own = self.sampler().guarantees();
+        let Some(scramble) = self.scramble else { return own.to_vec() };
+        let kept = own.iter().copied().filter(|&guarantee| match guarantee {
             Guarantee::Deterministic | Guarantee::Unbiased => !scramble.is_random(),
             other => scramble.keeps(other),
         });
@@ -176,7 +241,7 @@ impl Method {
     /// The net that [`Guarantee::Whole`] promises of all `n` points in `d` dimensions, if it is
     /// promised.
     pub fn whole_net(&self, n: usize, d: usize) -> Option<Net> {
-        self.guarantees().contains(&Guarantee::Whole).then(|| self.sampler.whole_net(n, d)).flatten()
+        self.guarantees().contains(&Guarantee::Whole).then(|| self.sampler().whole_net(n, d)).flatten()
     }
 
     /// Random access: coordinate `axis < d` of point `index`, the same bits as in
@@ -194,21 +259,20 @@ impl Method {
     pub fn sample(&self, n: usize, d: usize, seed: Seed) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
         self.admits(n, d).ok()?;
         match self.scramble {
-            None => self.sampler.at(n, d, seed.named(self.sampler.about().key)),
-            Some(scramble) => scrambles::sample(self.sampler, scramble, n, d, seed),
+            None => self.sampler().at(n, d, seed.named(&self.sampler_name())),
+            Some(scramble) => scrambles::sample((&*self.sampler(), &self.sampler_name()), scramble, n, d, seed),
         }
     }
 
     /// The net that [`Guarantee::Net`] promises in `d` dimensions, if it is promised.
     pub fn net(&self, d: usize) -> Option<Net> {
-        self.guarantees().contains(&Guarantee::Net).then(|| self.sampler.net(d)).flatten()
+        self.guarantees().contains(&Guarantee::Net).then(|| self.sampler().net(d)).flatten()
     }
 }
 
 impl PartialEq for Method {
     fn eq(&self, other: &Self) -> bool {
-        let key = |method: &Self| (method.sampler.about().key, method.scramble.map(|scramble| scramble.about().key));
-        key(self) == key(other)
+        self.name() == other.name()
     }
 }
 

@@ -2,13 +2,14 @@
 //!
 //! A sampler *declares* what it guarantees; the battery in `tests/` holds it to each declaration
 //! over many n, d and seeds. Those whose coordinates are made of digits expose them as [`Digital`],
-//! which is what the scrambles of [`crate::scrambles`] work on. A [`Method`] is a sampler with or
-//! without a scramble, by name: `sobol+xor`.
+//! which is what the scrambles of [`crate::scrambles`] work on. Some have [settings](Setting). A
+//! [`Method`] is a sampler with or without a scramble, by name: `sobol+xor`, `faure(base=5)`.
 
 use crate::catalogue::Entry;
 use crate::points::Points;
 use crate::seed::Seed;
 
+mod axes;
 pub mod batch;
 pub mod best_candidate;
 pub mod bridson;
@@ -37,44 +38,49 @@ pub mod orthogonal_array_bush;
 pub mod padded_jittered;
 pub mod poisson;
 pub mod progressive_multi_jittered;
+pub mod radical_inverse;
 mod refused;
+mod settings;
+mod sides;
 pub mod sobol;
 pub mod uniform_jitter;
 pub mod van_der_corput;
 pub mod zero_two;
 
 pub use digits::Radix;
-pub use method::{Method, UnknownMethod};
+pub use method::{Chosen, Method, UnknownMethod};
 pub use refused::{MOST_COORDINATES, Refused};
 pub(crate) use refused::{allocate, points};
+pub use settings::{Preset, Setting, Values, WrongSetting};
 
 /// Every sampler, in the order of display.
 pub static SAMPLERS: &[&dyn Sampler] = &[
     &independent::Independent,
     &grid::Grid,
     &centred_grid::CentredGrid,
-    &uniform_jitter::UniformJitter,
-    &jittered::Jittered,
+    &uniform_jitter::PLAIN,
+    &jittered::PLAIN,
     &padded_jittered::PaddedJittered,
     &latin_hypercube::LatinHypercube,
-    &multi_jittered::MultiJittered,
-    &correlated_multi_jittered::CorrelatedMultiJittered,
+    &multi_jittered::PLAIN,
+    &correlated_multi_jittered::PLAIN,
     &orthogonal_array::OrthogonalArray,
-    &orthogonal_array_bush::OrthogonalArrayBush,
+    &orthogonal_array_bush::PLAIN,
     &dart_throwing::DartThrowing,
-    &bridson::Bridson,
+    &bridson::PLAIN,
     &maximal_poisson::MaximalPoisson,
-    &best_candidate::BestCandidate,
+    &best_candidate::PLAIN,
     &van_der_corput::VanDerCorput,
+    &radical_inverse::PLAIN,
     &halton::Halton,
-    &hammersley::Hammersley,
+    &hammersley::PLAIN,
     &folded::Folded,
-    &faure::Faure,
+    &faure::PLAIN,
     &sobol::Sobol,
     &zero_two::ZeroTwo,
     &larcher_pillichshammer::LarcherPillichshammer,
     &progressive_multi_jittered::ProgressiveMultiJittered,
-    &korobov::Korobov,
+    &korobov::PLAIN,
     &fibonacci::Fibonacci,
     &kronecker::Kronecker,
 ];
@@ -83,6 +89,17 @@ pub static SAMPLERS: &[&dyn Sampler] = &[
 pub trait Sampler: Entry + Sync {
     /// What this sampler promises for every n, d and seed that it admits.
     fn guarantees(&self) -> &'static [Guarantee];
+
+    /// What it can be told by name, as in `faure(base=5)`; at most two numbers.
+    fn settings(&self) -> &'static [Setting] {
+        &[]
+    }
+
+    /// The same sampler with the values of its [`settings`](Self::settings); `None` where it has
+    /// none.
+    fn with(&self, _values: Values) -> Option<Box<dyn Sampler>> {
+        None
+    }
 
     /// Whether it can give exactly `n` points of `d` dimensions. It never rounds n in silence.
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused>;

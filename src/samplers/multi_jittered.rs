@@ -13,29 +13,36 @@
 //! **Cost.** Four random numbers for each point.
 //!
 //! **Limits.** Two dimensions (or one, where it is jittered sampling); n = columns x rows with rows
-//! <= columns <= 2 rows. Beware of whole-number division: i / m as integers crowds every x into the
+//! <= columns <= 2 rows, or any rows and columns that are set. Beware of whole-number division: i / m as integers crowds every x into the
 //! first column.
 //!
 //! **Paper.** K. Chiu, P. Shirley and C. Wang, Multi-Jittered Sampling, Graphics Gems IV (1994),
 //! 370-374, doi 10.1016/B978-0-12-336156-1.50045-8.
 //!
 //! ```
-//! use workbook::{points::slab, samplers::{Sampler, multi_jittered::MultiJittered}, seed::Seed};
-//! let points = MultiJittered.points(16, 2, Seed::new(1))?;
+//! use workbook::{points::slab, samplers::{Sampler, multi_jittered}, seed::Seed};
+//! let points = multi_jittered::PLAIN.points(16, 2, Seed::new(1))?;
 //! let mut columns: Vec<usize> = points.axis(0).map(|x| slab(x, 16)).collect();
 //! columns.sort_unstable();
 //! assert_eq!(columns, (0..16).collect::<Vec<_>>());
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::digits::{self, within};
-use super::{Guarantee, Refused, Sampler, refused};
+use super::axes::by_axis;
+use super::digits::within;
+use super::sides::{self, Sides};
+use super::{Guarantee, Refused, Sampler, Setting, Values};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
 
-/// The sampler `multi-jittered`.
-pub struct MultiJittered;
+/// The sampler `multi-jittered`, on the grid that it is told.
+pub struct MultiJittered {
+    sides: Sides,
+}
+
+/// The sampler without settings.
+pub const PLAIN: MultiJittered = MultiJittered { sides: Sides::FREE };
 
 static ABOUT: About = About {
     key: "multi-jittered",
@@ -63,30 +70,35 @@ impl Sampler for MultiJittered {
         &[Guarantee::Strata, Guarantee::Latin, Guarantee::Unbiased]
     }
 
+    fn settings(&self) -> &'static [Setting] {
+        sides::SETTINGS
+    }
+
+    fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
+        Some(Box::new(Self { sides: Sides::told(values) }))
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        refused::sides(n, d)
+        self.sides.check(n, d)
     }
 
     fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
         self.admits(n, d)?;
-        let mut coordinates = refused::allocate(n, d)?;
-        let cuts = digits::cuts(n, d);
-        for (axis, &own) in cuts.iter().enumerate() {
-            let mut random = seed.at(axis as u64).generator();
-            let across = n / own;
+        let cuts = self.strata(n, d);
+        by_axis(n, d, seed, |axis, random, out| {
+            let (own, across) = (cuts[axis], n / cuts[axis]);
             for stratum in 0..own {
                 for (k, slab) in random.permutation(across).into_iter().enumerate() {
                     // The cell in column i and row j is number i + columns j, whichever axis is
                     // walked along.
                     let cell = if axis == 0 { stratum + own * k } else { k + across * stratum };
-                    coordinates[cell * d + axis] = within((stratum * across + slab) as u64, n as u64, random.uniform());
+                    out[cell * d] = within((stratum * across + slab) as u64, n as u64, random.uniform());
                 }
             }
-        }
-        refused::points(d, coordinates)
+        })
     }
 
     fn strata(&self, n: usize, d: usize) -> Vec<usize> {
-        digits::cuts(n, d)
+        self.sides.cuts(n, d)
     }
 }

@@ -24,11 +24,12 @@
 //! assert_eq!(row, [1, 2, 0, 2]);
 //! ```
 
+use super::axes::by_axis;
 use super::digits::{root, within};
 use super::{Guarantee, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
-use crate::seed::{Random, Seed};
+use crate::seed::Seed;
 
 /// The sampler `orthogonal-array`.
 pub struct OrthogonalArray;
@@ -82,16 +83,7 @@ impl Sampler for OrthogonalArray {
 
     fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
         self.admits(n, d)?;
-        let mut coordinates = refused::allocate(n, d)?;
-        let s = root(n as u64, 2) as usize;
-        for axis in 0..d {
-            let symbols: Vec<usize> = (0..n).map(|run| symbol(run, axis, s)).collect();
-            let column = deal(&symbols, s, &mut seed.at(axis as u64).generator());
-            for (point, x) in coordinates.chunks_exact_mut(d).zip(column) {
-                point[axis] = x;
-            }
-        }
-        refused::points(d, coordinates)
+        hypercube(n, d, root(n as u64, 2) as usize, seed, symbol)
     }
 }
 
@@ -105,15 +97,24 @@ pub fn symbol(run: usize, axis: usize, s: usize) -> usize {
     }
 }
 
-/// One axis: the symbols of all runs, renamed at random, become slabs, and the runs of one symbol
-/// share its thin slabs out among them.
-pub fn deal(symbols: &[usize], s: usize, random: &mut Random) -> Vec<f64> {
-    let n = symbols.len();
-    let names = random.permutation(s);
-    let mut thin: Vec<Vec<usize>> = (0..s).map(|_| random.permutation(n / s)).collect();
-    let place = |&symbol: &usize| {
-        let slab = names[symbol] * (n / s) + thin[symbol].pop().unwrap_or(0);
-        within(slab as u64, n as u64, random.uniform())
-    };
-    symbols.iter().map(place).collect()
+/// The Latin hypercube on the array of n runs whose symbols, below `s`, are `symbol(run, axis, s)`.
+///
+/// On each axis the symbols, renamed at random, become slabs, and the runs of one symbol share its
+/// thin slabs out among them.
+pub(super) fn hypercube(
+    n: usize,
+    d: usize,
+    s: usize,
+    seed: Seed,
+    symbol: impl Fn(usize, usize, usize) -> usize,
+) -> Result<Points, Refused> {
+    by_axis(n, d, seed, |axis, random, out| {
+        let names = random.permutation(s);
+        let mut thin: Vec<Vec<usize>> = (0..s).map(|_| random.permutation(n / s)).collect();
+        for (run, x) in out.iter_mut().step_by(d).enumerate() {
+            let symbol = symbol(run, axis, s);
+            let slab = names[symbol] * (n / s) + thin[symbol].pop().unwrap_or(0);
+            *x = within(slab as u64, n as u64, random.uniform());
+        }
+    })
 }

@@ -70,11 +70,10 @@ impl Sampler for PaddedJittered {
         for first in (0..d).step_by(2) {
             let width = (d - first).min(2);
             let mut random = seed.at(first as u64).generator();
-            let cells = root(n as u64, width as u32);
-            let mut order: Vec<u64> = (0..n as u64).collect();
-            random.shuffle(&mut order);
-            for (point, &cell) in coordinates.chunks_exact_mut(d).zip(&order) {
-                jitter(cell, cells, &mut point[first..first + width], &mut random);
+            let cuts = vec![root(n as u64, width as u32) as usize; width];
+            let order = random.permutation(n);
+            for (point, cell) in coordinates.chunks_exact_mut(d).zip(order) {
+                jitter(cell, &cuts, &mut point[first..first + width], &mut random);
             }
         }
         refused::points(d, coordinates)

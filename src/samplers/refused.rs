@@ -102,18 +102,6 @@ pub(super) fn power(n: usize, d: usize) -> Result<(), Refused> {
     Err(Refused::Count { n, below: power(k).filter(|&n| n > 0), above: power(k + 1), rule: "k^d for a whole number k" })
 }
 
-/// As [`check`] for at most two dimensions; in two, n must be that of a grid of columns x rows that
-/// is nearly square.
-pub(super) fn sides(n: usize, d: usize) -> Result<(), Refused> {
-    check(n, d, 2)?;
-    let fits = |n: &usize| digits::sides(*n).is_some();
-    if d == 1 || fits(&n) {
-        return Ok(());
-    }
-    let (below, above) = ((1..n).rev().find(fits), (n + 1..=2 * n).find(fits));
-    Err(Refused::Count { n, below, above, rule: "columns x rows, with rows <= columns <= 2 rows" })
-}
-
 /// As [`check`], and n must be p^`exponent` for a prime p of at least `least`; `rule` says so.
 pub(super) fn prime_power(n: usize, exponent: u32, least: usize, rule: &'static str) -> Result<(), Refused> {
     let fits = |p: usize| p >= least && digits::is_prime(p as u64);
@@ -125,18 +113,6 @@ pub(super) fn prime_power(n: usize, exponent: u32, least: usize, rule: &'static 
     let below = (2..=p).rev().find(|&p| fits(p)).and_then(power);
     let above = (p.max(least.saturating_sub(1)) + 1..).take(1 << 12).find(|&p| fits(p)).and_then(power);
     Err(Refused::Count { n, below, above, rule })
-}
-
-/// The most points of the Poisson-disk samplers.
-const MOST: usize = 1 << 24;
-
-/// As [`check`] for exactly two dimensions and at most 2^24 points.
-pub(super) fn plane(n: usize, d: usize) -> Result<(), Refused> {
-    if d != 2 {
-        return Err(Refused::Dimensions { d, least: 2, most: 2 });
-    }
-    check(n, d, 2)?;
-    if n > MOST { Err(Refused::Count { n, below: Some(MOST), above: None, rule: "at most 16777216" }) } else { Ok(()) }
 }
 
 /// Room for `n x d` coordinates, all zero, once `n` and `d` have been checked; refused rather than

@@ -1,7 +1,7 @@
 //! Uniform jitter: one random offset for all cells of a grid.
 //!
-//! **What.** In one or two dimensions the square is cut into columns x rows equal cells, as nearly
-//! square as n allows, and all of them get the same random place inside; in more dimensions the
+//! **What.** The square is cut into columns x rows equal cells, as they are set or as nearly square
+//! as n allows, and all of them get the same random place inside; in more than two dimensions the
 //! grid has n = k^d cells.
 //!
 //! **Formula.** x_j = (c_j + u_j) / k_j with one u_j for each axis.
@@ -18,21 +18,27 @@
 //! that of Cranley and Patterson (1976), doi 10.1137/0713071.
 //!
 //! ```
-//! use workbook::{samplers::{Sampler, uniform_jitter::UniformJitter}, seed::Seed};
-//! let points = UniformJitter.points(6, 2, Seed::new(1))?; // 3 columns, 2 rows
+//! use workbook::{samplers::{Sampler, uniform_jitter}, seed::Seed};
+//! let points = uniform_jitter::PLAIN.points(6, 2, Seed::new(1))?; // 3 columns, 2 rows
 //! let row = points.coordinates();
 //! assert!((row[2] - row[0] - 1.0 / 3.0).abs() < 1e-15 && row[3] == row[1]);
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
 use super::digits::{self, within};
-use super::{Guarantee, Refused, Sampler, refused};
+use super::sides::{self, Sides};
+use super::{Guarantee, Refused, Sampler, Setting, Values, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
 
-/// The sampler `uniform-jitter`.
-pub struct UniformJitter;
+/// The sampler `uniform-jitter`, on the grid that it is told.
+pub struct UniformJitter {
+    sides: Sides,
+}
+
+/// The sampler without settings.
+pub const PLAIN: UniformJitter = UniformJitter { sides: Sides::FREE };
 
 static ABOUT: About = About {
     key: "uniform-jitter",
@@ -60,11 +66,16 @@ impl Sampler for UniformJitter {
         &[Guarantee::Strata, Guarantee::Unbiased]
     }
 
+    fn settings(&self) -> &'static [Setting] {
+        sides::SETTINGS
+    }
+
+    fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
+        Some(Box::new(Self { sides: Sides::told(values) }))
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
-        if d > 2 {
-            return refused::power(n, d);
-        }
-        refused::sides(n, d)
+        if d > 2 && self.sides.is_free() { refused::power(n, d) } else { self.sides.check(n, d) }
     }
 
     fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
@@ -84,6 +95,6 @@ impl Sampler for UniformJitter {
     }
 
     fn strata(&self, n: usize, d: usize) -> Vec<usize> {
-        if d > 2 { vec![digits::root(n as u64, d as u32) as usize; d] } else { digits::cuts(n, d) }
+        if d > 2 { vec![digits::root(n as u64, d as u32) as usize; d] } else { self.sides.cuts(n, d) }
     }
 }

@@ -115,9 +115,9 @@ impl<F: Fn(u64) -> f64 + Send + Sync> DigitMap for F {
 /// Points handled together: their numerators stay in the nearest cache.
 const BLOCK: usize = 256;
 
-/// The `n x d` points of `sampler` scrambled by `scramble`.
+/// The `n x d` points of `sampler`, whose random stream is called `name`, scrambled by `scramble`.
 pub(crate) fn points(
-    sampler: &dyn Sampler,
+    (sampler, name): (&dyn Sampler, &str),
     scramble: &dyn Scramble,
     n: usize,
     d: usize,
@@ -126,7 +126,7 @@ pub(crate) fn points(
     sampler.admits(n, d)?;
     let own = seed.named(scramble.about().key);
     let Some(digital) = sampler.digital(n, d) else {
-        let points = sampler.points(n, d, seed.named(sampler.about().key))?;
+        let points = sampler.points(n, d, seed.named(name))?;
         return shifted(&points, scramble, own);
     };
     let mut coordinates = allocate(n, d)?;
@@ -165,7 +165,7 @@ pub(crate) fn points(
 
 /// Random access to the scrambled points.
 pub(crate) fn sample(
-    sampler: &dyn Sampler,
+    (sampler, name): (&dyn Sampler, &str),
     scramble: &dyn Scramble,
     n: usize,
     d: usize,
@@ -180,7 +180,7 @@ pub(crate) fn sample(
             actions[axis].coordinate(digital.numerator(index(i), axis), digital.radix(axis))
         }));
     }
-    let plain = sampler.at(n, d, seed.named(sampler.about().key))?;
+    let plain = sampler.at(n, d, seed.named(name))?;
     let actions: Vec<Action> = (0..d).map(|axis| scramble.action(Radix::new(2), axis, own)).collect();
     Some(Box::new(move |i, axis| match &actions[axis] {
         Action::Coordinate(map) => map(plain(index(i), axis)),

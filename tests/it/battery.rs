@@ -7,7 +7,8 @@ use crate::checks::{
     fills_boxes, has_strength, in_range, is_block_net, is_latin, is_net, is_stratified, relative_radius, worst_moment,
 };
 use workbook::points::Points;
-use workbook::samplers::{Guarantee, Method};
+use workbook::samplers::digits::logarithm;
+use workbook::samplers::{Guarantee, Method, Preset, SAMPLERS, UnknownMethod, Values};
 use workbook::seed::Seed;
 
 /// The counts tried: powers of 2, 3, 5 and of small cubes, and what lies between.
@@ -16,9 +17,39 @@ const COUNTS: &[usize] = &[1, 2, 3, 4, 5, 7, 8, 9, 16, 25, 27, 31, 49, 64, 81, 1
 /// The dimensions tried.
 const DIMENSIONS: &[usize] = &[1, 2, 3, 5, 8];
 
+/// Samplers with settings, of each kind of setting; each is tried alone and with every scramble.
+const TOLD: &[&str] = &[
+    "radical-inverse(base=3)",
+    "radical-inverse(base=4)",
+    "radical-inverse(base=7)",
+    "faure(base=2)",
+    "faure(base=3)",
+    "faure(base=5)",
+    "faure(base=7)",
+    "hammersley(base=3)",
+    "hammersley(base=5)",
+    "korobov(generator=7)",
+    "uniform-jitter(rows=2)",
+    "uniform-jitter(rows=9,columns=3)",
+    "jittered(rows=4,columns=2)",
+    "multi-jittered(columns=3)",
+    "multi-jittered(rows=16,columns=2)",
+    "correlated-multi-jittered(rows=5)",
+    "correlated-multi-jittered(rows=4,columns=8)",
+    "orthogonal-array-bush(strength=2)",
+    "orthogonal-array-bush(strength=4)",
+    "bridson(tries=5)",
+    "best-candidate(candidates=3)",
+];
+
+/// Every method: all without settings, and those of [`TOLD`].
+fn methods() -> impl Iterator<Item = Method> {
+    Method::all().chain(TOLD.iter().flat_map(|name| Method::parse(name).expect(name).family()))
+}
+
 /// Every method with every admitted n and d.
 fn cases() -> impl Iterator<Item = (Method, usize, usize)> {
-    Method::all().flat_map(|method| {
+    methods().flat_map(|method| {
         let pairs = DIMENSIONS.iter().flat_map(|&d| COUNTS.iter().map(move |&n| (n, d)));
         pairs.filter(move |&(n, d)| method.admits(n, d).is_ok()).map(move |(n, d)| (method, n, d))
     })
@@ -136,7 +167,7 @@ fn whole_sets_are_nets() {
         for seed in 0..3 {
             let points = points(method, n, d, seed);
             assert!(
-                n.is_power_of_two() && is_block_net(&points, net.base, net.t),
+                logarithm(n as u64, net.base).is_some() && is_block_net(&points, net.base, net.t),
                 "{method}: n = {n}, d = {d}, seed {seed}"
             );
         }
@@ -193,7 +224,7 @@ fn long_batches_give_the_bits_of_random_access() {
 fn far_indices_stay_below_one() {
     let indices =
         [33_554_431, 43_046_720, 29_296_874, 28_824_004, 17_715_609, 62_748_516, (1 << 32) - 1, (1 << 32) - 2];
-    for method in Method::all().filter(|method| method.guarantees().contains(&Guarantee::Prefix)) {
+    for method in methods().filter(|method| method.guarantees().contains(&Guarantee::Prefix)) {
         let d = if method.admits(1, 256).is_ok() { 256 } else { 1 };
         let Some(sample) = method.sample(1, d, Seed::new(4)) else { continue };
         for index in indices {
@@ -250,7 +281,7 @@ fn points_are_uniform_over_seeds() {
 /// What cannot be given is refused with the argument and its limits, before anything is allocated.
 #[test]
 fn bad_counts_and_dimensions_are_refused() {
-    for method in Method::all() {
+    for method in methods() {
         for (n, d) in [(0, 1), (4, 0), (usize::MAX, 1), (usize::MAX, usize::MAX), (1 << 40, 1 << 40)] {
             let error = method.points(n, d, Seed::new(1)).expect_err("out of range");
             assert!(error.to_string().starts_with(if n == 4 { "d = " } else { "" }), "{method}: {error}");
@@ -270,7 +301,7 @@ fn bad_counts_and_dimensions_are_refused() {
 
 #[test]
 fn names_read_back_and_slips_are_answered() {
-    for method in Method::all() {
+    for method in methods() {
         assert_eq!(Method::parse(&method.name()), Ok(method));
         assert!(!method.title().is_empty() && !method.abouts().is_empty());
     }
@@ -283,6 +314,95 @@ fn names_read_back_and_slips_are_answered() {
     );
 }
 
+/// What is set in a sampler is read back in one form, and every slip is told where it is.
+#[test]
+fn settings_have_one_form_and_slips_are_placed() {
+    let name = |written: &str| Method::parse(written).expect(written).name();
+    assert_eq!(name(" correlated-multi-jittered( columns=8 , rows = 04)"), TOLD[16]);
+    assert_eq!(name("faure ( base = 5 ) + owen"), "faure(base=5)+owen");
+    assert_eq!(name("bridson(tries=30)"), "bridson");
+    assert_eq!(Method::parse("bridson(tries=30)"), Method::parse("bridson"));
+    assert_eq!(Method::parse("faure(base=5)+xor").expect("known").title(), "Faure (base 5) with XOR");
+    let slips = [
+        ("faure(bsae=5)", "bsae", "`faure`: it has no setting `bsae`, only `base`"),
+        ("halton(base=5)", "base", "`halton`: it has no setting `base`, nor any other"),
+        (
+            "faure(base=4)+owen",
+            "4",
+            "`faure`: `base` cannot be `4`: it must be a prime from 2 to 257; the nearest are 3 and 5",
+        ),
+        (
+            "faure(base=1000)",
+            "1000",
+            "`faure`: `base` cannot be `1000`: it must be a prime from 2 to 257; the nearest is 257",
+        ),
+        (
+            "bridson(tries=0)",
+            "0",
+            "`bridson`: `tries` cannot be `0`: it must be a whole number from 1 to 1000; the nearest is 1",
+        ),
+        (
+            "bridson(tries=many)",
+            "many",
+            "`bridson`: `tries` cannot be `many`: it must be a whole number from 1 to 1000",
+        ),
+        ("bridson(tries=99999999999)", "99999999999", "`bridson`: `tries` cannot be"),
+        ("jittered(rows=2, rows=2)", "rows", "`jittered`: `rows` is set twice"),
+        ("jittered(rows=2", "jittered(rows=2", "`jittered`: settings are written as in `faure(base=5)`"),
+        ("jittered()", "", "`jittered`: settings are written as in"),
+        ("jittered(2)", "2", "`jittered`: settings are written as in"),
+    ];
+    for (written, place, message) in slips {
+        let error = Method::parse(written).expect_err(written);
+        assert!(error.to_string().starts_with(message), "{written}: {error}");
+        let UnknownMethod::Setting { range, .. } = error else { panic!("{written}") };
+        assert_eq!(&written[range], place, "{written}");
+    }
+    assert_eq!(Method::parse("faure(bsae=5)").expect_err("a slip").suggestion(), Some("base"));
+    // Settings that fit no other count or dimension are refused with the nearest.
+    let refused =
+        |name: &str, n, d| Method::parse(name).expect(name).points(n, d, Seed::new(1)).expect_err(name).to_string();
+    assert_eq!(refused("faure(base=5)", 5, 6), "d = 6 is not possible: d must be from 1 to 5");
+    assert_eq!(
+        refused("jittered(rows=4,columns=8)", 31, 2),
+        "n = 31 is not possible: it must be rows x columns; the nearest is 32"
+    );
+    assert_eq!(
+        refused("jittered(rows=4)", 9, 2),
+        "n = 9 is not possible: it must be a multiple of the rows; the nearest are 8 and 12"
+    );
+    assert_eq!(refused("jittered(rows=4)", 8, 3), "d = 3 is not possible: this method has 2 dimensions");
+    assert_eq!(
+        refused("korobov(generator=6)", 8, 2),
+        "n = 8 is not possible: it must be without a common divisor with the generator; the nearest are 7 and 11"
+    );
+}
+
+/// Settings are declared as they are used: names, limits that hold the default, and another sampler
+/// for each value.
+#[test]
+fn settings_are_declared_soundly() {
+    let mut settings = 0;
+    for sampler in SAMPLERS {
+        let key = sampler.about().key;
+        assert_eq!(sampler.with(Values::default()).is_some(), !sampler.settings().is_empty(), "{key}");
+        for setting in sampler.settings() {
+            let plain = |c: char| c.is_ascii_lowercase() || c == '-';
+            assert!(setting.name.chars().all(plain) && !setting.meaning.ends_with('.'), "{key}");
+            if let Preset::Number(number) = setting.default {
+                assert!((setting.least..=setting.most).contains(&number), "{key}");
+            }
+            for value in [setting.least, setting.most] {
+                let name = format!("{key}({}={value})", setting.name);
+                let method = Method::parse(&name);
+                assert!(method.is_ok(), "{name}: {method:?}");
+            }
+            settings += 1;
+        }
+    }
+    assert!(settings > 12, "only {settings} settings");
+}
+
 /// Catalogues: unique keys, sources that are the file named, at least one paper each, and every
 /// file of the folder listed.
 #[test]
@@ -293,7 +413,11 @@ fn catalogues_are_complete() {
     let integrands: Vec<&About> = workbook::integrands::INTEGRANDS.iter().map(|entry| entry.about()).collect();
     let metrics: Vec<&About> = workbook::metrics::abouts().collect();
     let helpers = [
-        ("samplers", vec!["mod", "batch", "digits", "enumeration", "method", "poisson", "refused"], samplers),
+        (
+            "samplers",
+            vec!["mod", "axes", "batch", "digits", "enumeration", "method", "poisson", "refused", "settings", "sides"],
+            samplers,
+        ),
         ("scrambles", vec!["mod", "walk"], scrambles),
         ("integrands", vec!["mod", "function", "genz"], integrands),
         ("metrics", vec!["mod", "occupancy", "spectrum", "star_bound", "star_space"], metrics),

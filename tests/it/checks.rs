@@ -3,6 +3,7 @@
 
 use workbook::points::{Points, slab};
 use workbook::stats::moments::Moments;
+use workbook::stats::portable;
 
 /// All coordinates in [0, 1).
 pub fn in_range(points: &Points) -> bool {
@@ -119,14 +120,23 @@ fn subsets(d: usize, size: usize) -> Vec<Vec<usize>> {
     all.map(|mask| (0..d).filter(|&axis| mask >> axis & 1 == 1).collect()).collect()
 }
 
-/// The smallest distance on the torus over that of a hexagonal lattice.
+/// The smallest distance on the torus over that of the densest lattice in one to four dimensions:
+/// its density is 1, pi / sqrt 12, pi / sqrt 18 and pi^2 / 16.
 pub fn relative_radius(points: &Points) -> f64 {
     let wrapped = |difference: f64| difference.abs().min(1.0 - difference.abs());
     let rows: Vec<&[f64]> = points.rows().collect();
     let pairs = rows.iter().enumerate().flat_map(|(i, a)| rows[..i].iter().map(move |b| (a, b)));
     let squares = pairs.map(|(a, b)| a.iter().zip(*b).map(|(x, y)| wrapped(x - y) * wrapped(x - y)).sum::<f64>());
-    let n = points.len() as f64;
-    squares.fold(f64::INFINITY, f64::min).sqrt() / (2.0 / (3.0_f64.sqrt() * n)).sqrt()
+    let pi = std::f64::consts::PI;
+    // Of the densest packing, and of the ball of radius 1.
+    let (density, ball) = [
+        (1.0, 2.0),
+        (pi / 12.0_f64.sqrt(), pi),
+        (pi / 18.0_f64.sqrt(), 4.0 * pi / 3.0),
+        (pi * pi / 16.0, pi * pi / 2.0),
+    ][points.dimensions() - 1];
+    let radius = portable::pow(density / (ball * points.len() as f64), 1.0 / points.dimensions() as f64);
+    squares.fold(f64::INFINITY, f64::min).sqrt() / (2.0 * radius)
 }
 
 /// By how many standard errors the moments of pooled points are off, at worst, over 400 seeds.

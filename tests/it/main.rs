@@ -34,6 +34,9 @@ mod measures;
 mod pages;
 #[cfg(feature = "publish")]
 mod parameters;
+mod point_kinds;
+#[cfg(feature = "publish")]
+mod points;
 #[cfg(feature = "publish")]
 mod review;
 mod statistics;
