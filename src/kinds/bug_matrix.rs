@@ -38,7 +38,7 @@ static ABOUT: About = About {
 parameters! {
     /// What a matrix of bugs can choose.
     pub struct BugMatrix {
-        /// The quasi-random numbers: a sequence that is randomised, with one point in each of 2^m slabs of every axis.
+        /// The quasi-random numbers: a sequence that is randomised. The test of the rate expects that of nets with Owen's scrambling.
         sampler: Method = "sobol+owen",
     }
 }

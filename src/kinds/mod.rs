@@ -37,9 +37,6 @@ mod randomisation_steps;
 mod shuffle_steps;
 mod steps;
 
-pub use experiment::{
-    AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
-};
 mod bias;
 mod buffon;
 mod bug;
@@ -53,6 +50,10 @@ mod middle_square;
 mod quadrature;
 mod quicksort;
 mod worked_path;
+
+pub use experiment::{
+    AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
+};
 
 /// Every kind, in the order of display.
 pub static KINDS: &[&dyn AnyKind] = &[
