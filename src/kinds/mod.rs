@@ -48,9 +48,6 @@ mod shuffle_steps;
 mod steps;
 mod xor_steps;
 
-pub use experiment::{
-    AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
-};
 mod bias;
 mod buffon;
 mod bug;
@@ -64,6 +61,10 @@ mod middle_square;
 mod quadrature;
 mod quicksort;
 mod worked_path;
+
+pub use experiment::{
+    AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
+};
 
 /// Every kind, in the order of display.
 pub static KINDS: &[&dyn AnyKind] = &[
