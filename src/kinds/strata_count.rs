@@ -34,7 +34,7 @@ parameters! {
         /// The dimensions: one row each.
         dimensions: Vec<usize> [in 1..=64] = [1, 2, 3, 4, 6, 8, 16],
         /// How many samples are within reach.
-        reach: f64 [in 1.0..=1e300] = 1e9,
+        reach: f64 [in 1.0..=1e18] = 1e9,
     }
 }
 
