@@ -27,6 +27,7 @@ mod projections;
 mod radical;
 mod render;
 mod running_mean;
+mod spectral_error;
 mod spectrum;
 mod strata_count;
 mod van_der_corput_table;
@@ -77,6 +78,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &projections::PROJECTIONS,
     &strata_count::STRATA_COUNT,
     &spectrum::SPECTRUM,
+    &spectral_error::SPECTRAL_ERROR,
     &discrepancy::DISCREPANCY,
     &measures::MEASURES,
     &koksma_hlawka::KOKSMA_HLAWKA,
