@@ -246,7 +246,8 @@ impl Waves {
 fn curve(p: &SpectralError, method: &Method, placing: &Placing, energies: &Energies) -> Result<Curve, Failure> {
     let sets = replicates_of(method, p.replicates);
     let points = |replicate: usize| placing.points(method, p.n, replicate.min(sets - 1));
-    let error = |replicate: usize| Ok((estimate(p, &points(replicate)?, placing, replicate) - energies.integral).powi(2));
+    let error =
+        |replicate: usize| Ok((estimate(p, &points(replicate)?, placing, replicate) - energies.integral).powi(2));
     let squares: Vec<Result<f64, Failure>> = (0..p.replicates).into_par_iter().map(error).collect();
     let (measured, error) = mean_with_error(&squares.into_iter().collect::<Result<Vec<_>, _>>()?);
     let overlap = |replicate: usize| {
@@ -332,8 +333,7 @@ mod drawing {
         };
         let energy = line(&data.energy).style(Style::THEORY).label("integrand");
         let curves = data.curves.iter();
-        let curves =
-            curves.map(|curve| line(&curve.parts).style(Style::of(&curve.method)).label(curve.title.as_str()));
+        let curves = curves.map(|curve| line(&curve.parts).style(Style::of(&curve.method)).label(curve.title.as_str()));
         let panel = Panel::new(Axis::linear("frequency").include(0.0), Axis::log("part of the variance")).ratio(0.6);
         Ok(Chart::new(panel.with(energy).with_all(curves)).draw(sheet)?.into())
     }

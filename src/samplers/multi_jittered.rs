@@ -84,18 +84,10 @@ impl Sampler for MultiJittered {
 
     fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused> {
         self.admits(n, d)?;
-<<<<<<< HEAD
         let cuts = self.strata(n, d);
         by_axis(n, d, seed, |axis, random, out| {
             let (own, across) = (cuts[axis], n / cuts[axis]);
-=======
-        let mut coordinates = refused::allocate(n, d)?;
-        let cuts = digits::cuts(n, d);
-        for (axis, &own) in cuts.iter().enumerate() {
-            let mut random = seed.at(axis as u64).generator();
-            let across = n / own;
             let mut slabs: Vec<usize> = Vec::with_capacity(across);
->>>>>>> work-v
             for stratum in 0..own {
                 slabs.clear();
                 slabs.extend(0..across);
