@@ -36,4 +36,6 @@ mod parameters;
 mod review;
 mod statistics;
 #[cfg(feature = "publish")]
+mod steppers;
+#[cfg(feature = "publish")]
 mod tidy;
