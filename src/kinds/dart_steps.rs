@@ -142,7 +142,8 @@ mod drawing {
     use super::{Dart, DartSteps, Data, steps};
     use crate::chart::number::fixed;
     use crate::chart::{
-        Axis, Chart, ChartError, Disks, Drawing, Key, Line, Marker, Marks, Panel, Role, Segments, Sheet, Steps, Style,
+        Axis, Chart, ChartError, Corner, Dash, Disks, Drawing, Key, Line, Marker, Marks, Note, Panel, Role, Segments,
+        Sheet, Steps, Style,
     };
 
     pub(super) fn draw(p: &DartSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -157,7 +158,7 @@ mod drawing {
 
     fn square(p: &DartSteps, darts: &[Dart]) -> Panel {
         let mut panel = Panel::unit_square();
-        let style = Style::of("dart-throwing").marker(Marker::Disc);
+        let style = Style::of("dart-throwing").marker(Marker::Disc).dash(Dash::Solid);
         for dart in darts.iter().filter(|dart| dart.blocked.is_none()) {
             panel = panel.with(Disks::new(steps::copies(dart.at, p.radius), p.radius).style(style));
         }
@@ -190,7 +191,8 @@ mod drawing {
         let all = Line::new(vec![(0.0, 0.0), (most, most)]).style(Style::THEORY).width(1.0);
         let x = Axis::linear("tries").range(0.0, p.tries as f64 + 1.0);
         let y = Axis::linear("").range(0.0, most * 1.06);
-        Panel::new(x, y).title("accepted").ratio(1.0).with(all).with_all(points)
+        let all = Panel::new(x, y).title("accepted").ratio(1.0).with(all);
+        all.with(Note::new((most, most), "all").corner(Corner::BelowRight).role(Role::Axis)).with_all(points)
     }
 
     fn caption(number: usize, dart: &Dart) -> String {

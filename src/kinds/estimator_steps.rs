@@ -126,8 +126,7 @@ mod drawing {
     use super::{Data, EstimatorSteps, PIECES, Place};
     use crate::chart::number::{fixed, significant};
     use crate::chart::{
-        Area, Axis, Bars, Chart, ChartError, Drawing, Key, Layer, Line, Marks, Panel, Rule, Segments, Sheet, Steps,
-        Style,
+        Area, Axis, Boxes, Chart, ChartError, Drawing, Key, Layer, Line, Panel, Rule, Segments, Sheet, Steps, Style,
     };
 
     pub(super) fn draw(_: &EstimatorSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -146,12 +145,14 @@ mod drawing {
         let y = Axis::linear("").range(if low < 0.0 { low - pad } else { 0.0 }, high + pad);
         let mut panel = Panel::new(Axis::linear("*x*").range(0.0, 1.0), y);
         let n = samples.len() as f64;
-        let edges: Vec<f64> = (0..=samples.len()).map(|index| index as f64 / n).collect();
-        let tops: Vec<f64> = samples.iter().map(|sample| sample.1).collect();
-        let boxes: Layer = if samples.len() <= 16 {
-            Bars::new(edges, tops).label("*N* boxes").into()
+        let edge = |index: usize| index as f64 / n;
+        let tops = samples.iter().map(|sample| sample.1).enumerate();
+        let boxes: Layer = if samples.len() <= 32 {
+            let boxes = tops.map(|(index, top)| [(edge(index), 0.0), (edge(index + 1), top)]).collect();
+            Boxes::new(boxes).style(Style::FILL).opacity(0.4).label("*N* boxes").into()
         } else {
-            let stairs = edges.into_iter().zip(tops.iter().copied().chain(tops.last().copied())).collect();
+            let last = samples.last().map(|sample| (1.0, sample.1));
+            let stairs = tops.map(|(index, top)| (edge(index), top)).chain(last).collect();
             Area::new(stairs).stepped().style(Style::FILL).label("*N* boxes").into()
         };
         let curve = data.curve.iter().enumerate().map(|(piece, &height)| (piece as f64 / PIECES as f64, height));
@@ -162,7 +163,7 @@ mod drawing {
             let feet = samples.iter().map(|&(x, y)| [(x, y), (x, y)]).collect();
             panel = panel.with(Segments::new(feet).width(5.0).style(Style::ACCENT));
         }
-        panel.with(Marks::new(Vec::new()))
+        panel
     }
 
     fn caption(data: &Data, samples: &[Place], estimate: f64) -> String {

@@ -134,7 +134,7 @@ mod drawing {
     };
 
     pub(super) fn draw(p: &XorSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(290.0);
+        let mut steps = Steps::new().small(290.0).key_steps([1]);
         for step in 0..data.steps.len() {
             let panels = vec![table(p, data, step), line(p, data, step)];
             steps.push(Chart::grid(panels).columns(1).key(Key::Hidden), caption(data, step));

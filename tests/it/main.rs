@@ -44,4 +44,6 @@ mod review;
 mod settings;
 mod statistics;
 #[cfg(feature = "publish")]
+mod steppers;
+#[cfg(feature = "publish")]
 mod tidy;
