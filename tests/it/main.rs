@@ -24,6 +24,8 @@ mod enumeration;
 mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
+mod gallery;
+#[cfg(feature = "publish")]
 mod golden;
 #[cfg(feature = "publish")]
 mod kinds;
