@@ -94,6 +94,14 @@ fn random_access_direct(bencher: Bencher) {
 }
 
 #[divan::bench]
+fn random_access_four_at_once(bencher: Bencher) {
+    bencher.counter(ItemsCount::new(4096_u32)).bench(|| {
+        let point = |i| workbook::scrambles::owen_shuffled::sample_four(black_box(i), 0, 7);
+        (0..1024).map(point).map(|x| x.iter().sum::<f64>()).sum::<f64>()
+    });
+}
+
+#[divan::bench]
 fn their_random_access_sobol_burley(bencher: Bencher) {
     bencher.counter(ItemsCount::new(4096_u32)).bench(|| {
         let mut sum = 0.0;
