@@ -2,7 +2,7 @@
 //!
 //! To add a kind, write its file and add its two lines here: its module and its place in [`KINDS`]. Nothing else knows the
 //! kinds by name; the checks, the key, the lists, the schema and the book find them in the catalogue. The folder `experiment`
-//! holds the interface, `estimation` the running of many estimates, which several kinds share, `steps` what those have in common
+//! holds the interface, `estimation` the running of many estimates, which several kinds share, `imaging` the rendering of pictures, `steps` what those have in common
 //! that a reader steps through.
 
 mod bit_reversal;
@@ -16,6 +16,7 @@ mod experiment;
 mod function;
 mod guarantees;
 mod histogram;
+mod imaging;
 mod koksma_hlawka;
 mod measures;
 mod measuring;
@@ -24,18 +25,29 @@ mod placing;
 mod points;
 mod projections;
 mod radical;
+mod render;
 mod running_mean;
+mod spectral_error;
 mod spectrum;
 mod strata_count;
 mod van_der_corput_table;
 mod worst_box;
 
 mod box_steps;
+mod candidate_steps;
+mod dart_steps;
+mod digit_steps;
+mod estimator_steps;
 mod growth_steps;
 mod interval_steps;
+mod line_steps;
+mod owen_steps;
+mod padding_steps;
+mod pi_steps;
 mod randomisation_steps;
 mod shuffle_steps;
 mod steps;
+mod xor_steps;
 
 mod bias;
 mod buffon;
@@ -66,6 +78,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &projections::PROJECTIONS,
     &strata_count::STRATA_COUNT,
     &spectrum::SPECTRUM,
+    &spectral_error::SPECTRAL_ERROR,
     &discrepancy::DISCREPANCY,
     &measures::MEASURES,
     &koksma_hlawka::KOKSMA_HLAWKA,
@@ -92,6 +105,16 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &worked_path::WORKED_PATH,
     &bug::BUG,
     &bug_matrix::BUG_MATRIX,
+    &render::RENDER,
+    &dart_steps::DART_STEPS,
+    &candidate_steps::CANDIDATE_STEPS,
+    &line_steps::LINE_STEPS,
+    &estimator_steps::ESTIMATOR_STEPS,
+    &pi_steps::PI_STEPS,
+    &digit_steps::DIGIT_STEPS,
+    &xor_steps::XOR_STEPS,
+    &owen_steps::OWEN_STEPS,
+    &padding_steps::PADDING_STEPS,
 ];
 
 /// The kind whose key is `key`.

@@ -60,6 +60,7 @@ const SHARED: &[&str] = &[
     "kinds/bugs",
     "kinds/estimation",
     "kinds/experiment",
+    "kinds/imaging",
     "kinds/steps",
     "kinds/measuring.rs",
     "kinds/placing.rs",
