@@ -42,6 +42,7 @@ mod steps;
 pub use experiment::{
     AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
 };
+mod averaging;
 mod bias;
 mod buffon;
 mod bug;
@@ -94,6 +95,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &bug::BUG,
     &bug_matrix::BUG_MATRIX,
     &render::RENDER,
+    &averaging::AVERAGING,
 ];
 
 /// The kind whose key is `key`.
