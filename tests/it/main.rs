@@ -34,6 +34,9 @@ mod measures;
 mod pages;
 #[cfg(feature = "publish")]
 mod parameters;
+mod pictures;
+#[cfg(feature = "publish")]
+mod pictures;
 mod point_kinds;
 #[cfg(feature = "publish")]
 mod points;
