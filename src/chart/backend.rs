@@ -97,11 +97,14 @@ impl<'a> Backend<'a> {
     pub fn text(&mut self, rich: &Rich, at: BackendCoord, anchor: (HPos, VPos), role: Role, bold: bool) -> Drawn {
         self.open("text");
         let out = &mut *self.out;
-        write!(out, " class=\"f-{}\" fill=\"{}\" x=\"", role.name(), role.light()).map_err(wrong)?;
-        hundredths(at.0, out);
-        out.push_str("\" y=\"");
-        hundredths(at.1, out);
-        out.push('"');
+        write!(out, " class=\"f-{}\" fill=\"{}\"", role.name(), role.light()).map_err(wrong)?;
+        if self.tracked.is_none() {
+            out.push_str(" x=\"");
+            hundredths(at.0, out);
+            out.push_str("\" y=\"");
+            hundredths(at.1, out);
+            out.push('"');
+        }
         out.push_str(match anchor.1 {
             VPos::Top => " dy=\".72em\"",
             VPos::Center => " dy=\".35em\"",

@@ -1,4 +1,4 @@
-//! Disks of a radius in data units, and line segments: their layers, and the outline of a disk within a panel.
+//! Disks of a radius in data units, line segments and boxes: their layers, and the outline of a disk within a panel.
 
 use super::backend::pair;
 use super::layout::Rect;
@@ -37,12 +37,13 @@ pub struct Segments {
     pub(super) label: Option<Rich>,
     pub(super) width: f64,
     pub(super) opacity: f64,
+    pub(super) tracked: Option<&'static str>,
 }
 
 impl Segments {
     /// Segments from the first to the second point of each pair.
     pub fn new(segments: Vec<[(f64, f64); 2]>) -> Self {
-        Self { segments, style: Style::INK, label: None, width: 1.25, opacity: 1.0 }
+        Self { segments, style: Style::INK, label: None, width: 1.25, opacity: 1.0, tracked: None }
     }
 
     /// A pale spot behind each of these points, to point at them.
@@ -55,6 +56,36 @@ impl Segments {
     #[must_use]
     pub fn width(mut self, width: f64) -> Self {
         self.width = width;
+        self
+    }
+
+    /// The same spots in the frames of a stepper that have them: they move from place to place.
+    #[must_use]
+    pub fn tracked(mut self, name: &'static str) -> Self {
+        self.tracked = Some(name);
+        self
+    }
+}
+
+/// Rectangles between two opposite corners each, filled pale and outlined, as one element.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Boxes {
+    pub(super) boxes: Vec<[(f64, f64); 2]>,
+    pub(super) style: Style,
+    pub(super) label: Option<Rich>,
+    pub(super) opacity: f64,
+}
+
+impl Boxes {
+    /// Boxes between the first and the second corner of each pair.
+    pub fn new(boxes: Vec<[(f64, f64); 2]>) -> Self {
+        Self { boxes, style: Style::ACCENT, label: None, opacity: 0.16 }
+    }
+
+    /// Filled this much, from 0 to 1.
+    #[must_use]
+    pub fn opacity(mut self, opacity: f64) -> Self {
+        self.opacity = opacity;
         self
     }
 }

@@ -1,6 +1,6 @@
 //! The layers of a panel: lines, points, bars, bands, rules, error bars, regions and notes.
 
-use super::disk::{Disks, Segments};
+use super::disk::{Boxes, Disks, Segments};
 use super::palette::{Dash, Role, Style};
 use super::text::Rich;
 use crate::raster::Png;
@@ -33,6 +33,8 @@ pub enum Layer {
     Disks(Disks),
     /// Straight lines from point to point.
     Segments(Segments),
+    /// Rectangles.
+    Boxes(Boxes),
 }
 
 macro_rules! layers {
@@ -40,7 +42,7 @@ macro_rules! layers {
         fn from(layer: $name) -> Self { Self::$name(layer) }
     })+ };
 }
-layers! { Line Marks Bars Band Area Rule ErrorBars Region Image Note Disks Segments }
+layers! { Line Marks Bars Band Area Rule ErrorBars Region Image Note Disks Segments Boxes }
 
 macro_rules! labelled {
     ($($name:ident)+) => { $(impl $name {
@@ -59,7 +61,7 @@ macro_rules! labelled {
         }
     })+ };
 }
-labelled! { Line Marks Bars Band Area Rule ErrorBars Region Disks Segments }
+labelled! { Line Marks Bars Band Area Rule ErrorBars Region Disks Segments Boxes }
 
 /// A line through points in their order. It breaks where a value cannot be drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -303,6 +305,10 @@ pub enum Corner {
     BelowRight,
     /// Below and to the left.
     BelowLeft,
+    /// Above, in the middle.
+    Above,
+    /// Below, in the middle.
+    Below,
     /// In the middle.
     Centre,
 }

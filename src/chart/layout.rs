@@ -107,6 +107,7 @@ fn direct(chart: &Chart, width: f64) -> (bool, Option<f64>) {
             | Layer::Band(super::Band { label: Some(_), .. })
             | Layer::Area(super::Area { label: Some(_), .. })
             | Layer::ErrorBars(super::ErrorBars { label: Some(_), .. })
+            | Layer::Boxes(super::Boxes { label: Some(_), .. })
             | Layer::Disks(super::Disks { label: Some(_), .. })
             | Layer::Segments(super::Segments { label: Some(_), .. }) => others = true,
             _ => {}
@@ -276,7 +277,7 @@ fn write(sheet: &Sheet, plots: &[Plot<'_>], rows: &[Vec<Entry>], height: f64) ->
     {
         let page = Page::new(&mut svg, size);
         let left = plots.first().map_or(0.0, |plot| f64::from(plot.rect.left) / backend::UNIT);
-        legend::draw(rows, left, &page)?;
+        legend::draw(rows, left, sheet.width, &page)?;
         for plot in plots {
             draw::plot(plot, &page)?;
         }

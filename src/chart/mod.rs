@@ -31,7 +31,8 @@ mod text;
 mod ticks;
 
 pub use axis::Axis;
-pub use disk::{Disks, Segments};
+
+pub use disk::{Boxes, Disks, Segments};
 pub use drawing::Drawing;
 pub use error::ChartError;
 pub use layer::{Area, Band, Bars, Corner, ErrorBars, Image, Layer, Line, Marks, Note, Region, Rule};

@@ -10,7 +10,7 @@ use super::resolve::{between, positions, rectangles, under};
 use super::shape::{Ink, Kind, Shape};
 use super::strata::{self, Strata};
 use super::text::Rich;
-use super::{ChartError, Corner, Disks, ErrorBars, Image, Layer, Line, Marks, Note, Region, Rule, Segments};
+use super::{Boxes, ChartError, Corner, Disks, ErrorBars, Image, Layer, Line, Marks, Note, Region, Rule, Segments};
 use plotters::element::{PathElement, Rectangle};
 use plotters_backend::text_anchor::{HPos, VPos};
 
@@ -59,6 +59,7 @@ impl<'p> Painter<'p, '_> {
             Layer::Note(note) => self.note(note),
             Layer::Disks(disks) => self.disks(disks),
             Layer::Segments(segments) => self.segments(segments),
+            Layer::Boxes(boxes) => self.boxes(boxes),
         }
     }
 
@@ -142,10 +143,31 @@ impl<'p> Painter<'p, '_> {
         });
         let lines = Lines::clipped(line, &self.plot.window);
         let Style { role, dash, .. } = segments.style;
-        self.shape(
-            lines.points,
-            Kind::Stroke(lines.ends, Ink::new(role, segments.width).dash(dash).opacity(segments.opacity)),
-        )
+        let ink = Ink::new(role, segments.width).dash(dash).opacity(segments.opacity);
+        let Some(name) = segments.tracked else { return self.shape(lines.points, Kind::Stroke(lines.ends, ink)) };
+        let starts = std::iter::once(0).chain(lines.ends.iter().copied()).zip(&lines.ends).map(|(start, _)| start);
+        for (index, point) in starts.filter_map(|start| lines.points.get(start)).enumerate() {
+            let key = format!("{}-{name}-{index}", self.plot.index);
+            self.shape(vec![*point], Kind::Tracked(key, Box::new(Kind::Stroke(vec![1], ink))))?;
+        }
+        Ok(())
+    }
+
+    fn boxes(&mut self, boxes: &Boxes) -> Result<(), ChartError> {
+        let (panel, window) = (self.plot.panel, self.plot.window);
+        let inside = |v: f64, (low, high): (f64, f64)| v.clamp(low, high);
+        let body = |corners: &[(f64, f64); 2]| {
+            let places = positions(corners, panel.x.scale, panel.y.scale);
+            let [Some(a), Some(b)] = places[..] else { return None };
+            let [a, b] = [a, b].map(|p| (inside(p.0, window.x), inside(p.1, window.y)));
+            (a.0 != b.0 && a.1 != b.1).then(|| [a, (b.0, a.1), b, (a.0, b.1), a])
+        };
+        let bodies: Vec<[(f64, f64); 5]> = boxes.boxes.iter().filter_map(body).collect();
+        let ends: Vec<usize> = (1..=bodies.len()).map(|index| index * 5).collect();
+        let points = bodies.into_flattened();
+        let ink = Ink::new(boxes.style.role, 1.25).dash(boxes.style.dash);
+        self.shape(points.clone(), Kind::Fill(ends.clone(), ink.opacity(boxes.opacity)))?;
+        self.shape(points, Kind::Stroke(ends, ink))
     }
 
     /// The points of a unit square where they are strictly inside their strata as written.
@@ -289,6 +311,8 @@ impl<'p> Painter<'p, '_> {
             Corner::AboveLeft => ((x - 5.0, y - 5.0), (HPos::Right, VPos::Bottom)),
             Corner::BelowRight => ((x + 5.0, y + 6.0), (HPos::Left, VPos::Top)),
             Corner::BelowLeft => ((x - 5.0, y + 6.0), (HPos::Right, VPos::Top)),
+            Corner::Above => ((x, y - 5.0), (HPos::Center, VPos::Bottom)),
+            Corner::Below => ((x, y + 6.0), (HPos::Center, VPos::Top)),
             Corner::Centre => ((x, y), (HPos::Center, VPos::Center)),
         };
         self.drawn += 1;

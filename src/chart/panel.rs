@@ -62,6 +62,7 @@ impl Chart {
             match layer {
                 Layer::Marks(marks) => marks.tracked = None,
                 Layer::Note(note) => note.tracked = None,
+                Layer::Segments(segments) => segments.tracked = None,
                 _ => {}
             }
         }

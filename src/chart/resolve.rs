@@ -111,6 +111,7 @@ impl Extent {
                 });
             }
             Layer::Segments(lines) => lines.segments.iter().flatten().for_each(|&p| self.point(p, sx, sy)),
+            Layer::Boxes(boxes) => boxes.boxes.iter().flatten().for_each(|&p| self.point(p, sx, sy)),
             Layer::Note(_) => {}
         }
     }

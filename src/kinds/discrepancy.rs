@@ -265,7 +265,7 @@ mod drawing {
 
     use super::{Curve, Data, Discrepancy, Mark, extremes};
     use crate::chart::number::{fixed, integer, shortest, significant};
-    use crate::chart::{Axis, Band, Chart, ChartError, Drawing, ErrorBars, Layer, Line, Panel, Sheet, Style};
+    use crate::chart::{Axis, Band, Chart, ChartError, Dash, Drawing, ErrorBars, Layer, Line, Panel, Sheet, Style};
 
     pub(super) fn draw(p: &Discrepancy, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let zero = data.curves.iter().all(|curve| curve.marks.iter().any(|mark| mark.mean <= 0.0));
@@ -312,13 +312,18 @@ mod drawing {
 
     /// The bound and the exact values of one sampler.
     fn bounds(curve: &Curve) -> Vec<Layer> {
-        let through = |value: fn(&Mark) -> Option<f64>, what: &str| {
+        let role = Style::of(&curve.method).role;
+        let through = |value: fn(&Mark) -> Option<f64>, what: &str, dash: Dash| {
             let points: Vec<(f64, f64)> =
                 curve.marks.iter().filter_map(|mark| Some((mark.n as f64, value(mark)?))).collect();
-            let line = Line::new(points).style(Style::THEORY).label(format!("{}: {what}", curve.title));
+            let line = Line::new(points)
+                .style(Style::new(role).dash(dash))
+                .width(1.0)
+                .label(format!("{}: {what}", curve.title));
             (curve.marks.iter().filter_map(value).count() > 1).then(|| line.into())
         };
-        let lines = [through(|mark| mark.bound, "bound"), through(|mark| mark.expected, "exact")];
+        let lines =
+            [through(|mark| mark.bound, "bound", Dash::Dashed), through(|mark| mark.expected, "exact", Dash::Dotted)];
         lines.into_iter().flatten().collect()
     }
 

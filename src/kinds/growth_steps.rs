@@ -141,14 +141,13 @@ mod drawing {
         // The key is the same in all steps.
         for first in (0..most).step_by(quarter) {
             let last = (first + quarter).min(most);
-            let label =
-                if last == first + 1 { format!("point {last}") } else { format!("points {}–{last}", first + 1) };
+            let label = if last == first + 1 { last.to_string() } else { format!("{}–{last}", first + 1) };
             panel = panel.with(Marks::new(Vec::new()).style(style(first)).label(label));
         }
         let Some(step) = steps.last() else { return panel };
         let before = steps.len().checked_sub(2).and_then(|before| steps.get(before)).map_or(0, |s| s.places.len());
         let new = step.places.get(before..).filter(|new| data.grows && steps.len() > 1 && new.len() <= 16);
-        panel = panel.with_all(new.map(|new| Segments::spots(new.iter().copied())));
+        panel = panel.with_all(new.map(|new| Segments::spots(new.iter().copied()).tracked("new")));
         let batches = |ends: Vec<usize>, mut panel: Panel| {
             let mut from = 0;
             for end in ends {
@@ -181,12 +180,12 @@ mod drawing {
         let n = step.places.len();
         let added = before.map_or(n, |before| n.saturating_sub(before.places.len()));
         let what = match (data.grows, added, before) {
-            (true, 1, Some(_)) => "one point is added".to_owned(),
-            (true, more, Some(_)) => format!("{more} points are added"),
-            (false, _, Some(_)) => "all points are new".to_owned(),
-            (_, _, None) => p.sampler.title(),
+            (true, 1, Some(_)) => String::new(),
+            (true, more, Some(_)) => format!(" {more} more points."),
+            (false, _, Some(_)) => " All points are new.".to_owned(),
+            (_, _, None) => format!(" {}.", p.sampler.title()),
         };
-        format!("$N = {n}$: {what}. The star discrepancy is {}.", fixed(step.star, 4))
+        format!("$N = {n}$: star discrepancy {}.{what}", fixed(step.star, 4))
     }
 
     pub(super) fn alt(p: &GrowthSteps, data: &Data) -> String {

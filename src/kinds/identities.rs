@@ -200,15 +200,15 @@ mod drawing {
     use crate::chart::number::{fixed, integer, parts};
     use crate::chart::{Cell, Column, Drawing, Table};
 
-    /// The left and the right side of an identity, and what it needs.
-    fn formula(name: &str) -> (&'static str, &'static str) {
+    /// An identity, and what it needs.
+    fn formula(name: &str) -> &'static str {
         match name {
-            "scaled-mean" => ("E[aY_1]", "a\\,E[Y_1]"),
-            "mean-of-sum" => ("E[Y_1+Y_2]", "E[Y_1]+E[Y_2]"),
-            "scaled-variance" => ("V[aY_1]", "a^2\\,V[Y_1]"),
-            "variance" => ("V[Y_1]", "E[Y_1^2]-E[Y_1]^2"),
-            "independent-sum" => ("V[Y_1+Y_2]\\text{, independent}", "V[Y_1]+V[Y_2]"),
-            _ => ("V[Y_1+Y_2]\\text{, dependent}", "V[Y_1]+V[Y_2]+2\\,\\mathrm{Cov}[Y_1,Y_2]"),
+            "scaled-mean" => "E[aY_1]=a\\,E[Y_1]",
+            "mean-of-sum" => "E[Y_1+Y_2]=E[Y_1]+E[Y_2]",
+            "scaled-variance" => "V[aY_1]=a^2\\,V[Y_1]",
+            "variance" => "V[Y_1]=E[Y_1^2]-E[Y_1]^2",
+            "independent-sum" => "V[Y_1+Y_2]=V[Y_1]+V[Y_2]\\text{ if independent}",
+            _ => "V[Y_1+Y_2]=V[Y_1]+V[Y_2]+2\\,\\mathrm{Cov}[Y_1,Y_2]",
         }
     }
 
@@ -219,17 +219,14 @@ mod drawing {
 
     pub(super) fn draw(data: &Data) -> Drawing {
         let mut table = Table::new(vec![
+            Column::left("Identity"),
             Column::left("Measured"),
             Column::left("Predicted"),
-            Column::left("Measured value"),
-            Column::left("Predicted value"),
             Column::right("$z$"),
         ]);
         for row in &data.rows {
-            let (left, right) = formula(&row.name);
             table.push([
-                Cell::Math(left.to_owned()),
-                Cell::Math(right.to_owned()),
+                Cell::Math(formula(&row.name).to_owned()),
                 Cell::estimate(row.measured, row.error),
                 Cell::fixed(row.predicted, places(row.error)),
                 Cell::fixed(row.z(), 2),
@@ -237,8 +234,7 @@ mod drawing {
         }
         if let Some(row) = data.rows.last() {
             table.push([
-                Cell::Math("V[Y_1+Y_2]\\text{, dependent}".to_owned()),
-                Cell::Math("V[Y_1]+V[Y_2]\\text{ (wrong)}".to_owned()),
+                Cell::Math("V[Y_1]+V[Y_2]\\text{ if dependent (wrong)}".to_owned()),
                 Cell::estimate(row.measured, row.error),
                 Cell::fixed(data.ignorant, places(row.error)),
                 Cell::fixed((row.measured - data.ignorant) / row.error, 1),

@@ -147,7 +147,7 @@ mod drawing {
         for (index, &(columns, rows)) in data.shapes.iter().enumerate() {
             let panels = data.sets.iter().map(|set| panel(data, set, index)).collect();
             let count = |set: &Set| set.violated.get(index).map_or(0, Vec::len);
-            let mut caption = format!("${columns} \\times {rows}$ elementary intervals of volume $1/{}$", p.n);
+            let mut caption = format!("${columns} \\times {rows}$ elementary intervals of volume 1/{}", p.n);
             if let [set] = data.sets.as_slice() {
                 match count(set) {
                     0 => caption.push_str(": one point in each."),
@@ -156,7 +156,7 @@ mod drawing {
                 }
             } else {
                 let counts: Vec<String> = data.sets.iter().map(|s| format!("{} {}", s.title, count(s))).collect();
-                caption += &format!(". Violated: {}.", counts.join(", "));
+                caption += &format!(", violated: {}.", counts.join(", "));
             }
             steps.push(Chart::grid(panels).key(Key::Hidden), caption);
         }

@@ -27,21 +27,28 @@ mod projections;
 mod radical;
 mod render;
 mod running_mean;
+mod spectral_error;
 mod spectrum;
 mod strata_count;
 mod van_der_corput_table;
 mod worst_box;
 
 mod box_steps;
+mod candidate_steps;
+mod dart_steps;
+mod digit_steps;
+mod estimator_steps;
 mod growth_steps;
 mod interval_steps;
+mod line_steps;
+mod owen_steps;
+mod padding_steps;
+mod pi_steps;
 mod randomisation_steps;
 mod shuffle_steps;
 mod steps;
+mod xor_steps;
 
-pub use experiment::{
-    AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
-};
 mod averaging;
 mod bias;
 mod buffon;
@@ -57,6 +64,10 @@ mod quadrature;
 mod quicksort;
 mod worked_path;
 
+pub use experiment::{
+    AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
+};
+
 /// Every kind, in the order of display.
 pub static KINDS: &[&dyn AnyKind] = &[
     &function::FUNCTION,
@@ -68,6 +79,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &projections::PROJECTIONS,
     &strata_count::STRATA_COUNT,
     &spectrum::SPECTRUM,
+    &spectral_error::SPECTRAL_ERROR,
     &discrepancy::DISCREPANCY,
     &measures::MEASURES,
     &koksma_hlawka::KOKSMA_HLAWKA,
@@ -96,6 +108,15 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &bug_matrix::BUG_MATRIX,
     &render::RENDER,
     &averaging::AVERAGING,
+    &dart_steps::DART_STEPS,
+    &candidate_steps::CANDIDATE_STEPS,
+    &line_steps::LINE_STEPS,
+    &estimator_steps::ESTIMATOR_STEPS,
+    &pi_steps::PI_STEPS,
+    &digit_steps::DIGIT_STEPS,
+    &xor_steps::XOR_STEPS,
+    &owen_steps::OWEN_STEPS,
+    &padding_steps::PADDING_STEPS,
 ];
 
 /// The kind whose key is `key`.

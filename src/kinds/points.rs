@@ -390,6 +390,9 @@ mod drawing {
             Strata::Cells => ", with the grid of as many equal cells.",
             Strata::Slabs => ", with as many slabs along each axis.",
         });
+        if p.order {
+            text.push_str(" Colours follow the order, from the first to the last.");
+        }
         for (index, set) in data.sets.iter().enumerate() {
             let _ = match counts.len() {
                 1 => write!(text, " {}:", set.title),

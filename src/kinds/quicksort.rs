@@ -231,8 +231,9 @@ mod drawing {
     pub(super) fn draw(p: &Quicksort, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let sorts = panel(&data.comparisons, data.expected.0, "comparisons", Style::new(Role::Blue))
             .title("Las Vegas: the cost is random");
-        let estimates = panel(&data.estimates, data.exact, "estimate", Style::of("independent"))
-            .title(format!("Monte Carlo: the answer is, *N* = {}", integer(p.n as i64)));
+        let what = format!("estimate from {} samples", integer(p.n as i64));
+        let estimates = panel(&data.estimates, data.exact, &what, Style::of("independent"))
+            .title("Monte Carlo: the answer is random");
         Ok(Chart::grid(vec![sorts, estimates]).columns(2).key(Key::Above).draw(sheet)?.into())
     }
 

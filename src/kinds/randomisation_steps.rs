@@ -164,21 +164,16 @@ mod drawing {
     use crate::kinds::steps;
     use std::fmt::Write as _;
 
-    pub(super) fn draw(p: &RandomisationSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
+    pub(super) fn draw(_: &RandomisationSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let mut steps = Steps::new().small(if data.methods.len() > 1 { 290.0 } else { 190.0 }).key_steps([1, 2, 3]);
         for (number, sets) in data.steps.iter().enumerate() {
             let panels = sets.iter().zip(&data.methods).map(|(set, method)| panel(data, set, method)).collect();
-            let count = |set: &Set| format!("{} of {} elementary intervals violated", set.violations, data.intervals);
             let what = if number == 0 { "Not scrambled".to_owned() } else { format!("Randomisation {number}") };
-            let counts = match (sets.as_slice(), p.samplers.as_slice()) {
-                ([set], _) => count(set),
-                (sets, _) => {
-                    let each =
-                        sets.iter().zip(&data.methods).map(|(set, (_, title))| format!("{title}: {}", count(set)));
-                    each.collect::<Vec<_>>().join("; ")
-                }
-            };
-            steps.push(Chart::grid(panels).key(Key::Hidden), format!("{what}. {counts}."));
+            let counts: Vec<String> = sets.iter().map(|set| set.violations.to_string()).collect();
+            let are = if counts == ["1"] { "is" } else { "are" };
+            let (all, counts) = (data.intervals, counts.join(" and "));
+            let caption = format!("{what}: of {all} elementary intervals {counts} {are} violated.");
+            steps.push(Chart::grid(panels).key(Key::Hidden), caption);
         }
         Ok(steps.draw(sheet)?.into())
     }

@@ -327,7 +327,7 @@ mod drawing {
         let chart = match p.show {
             Show::Images => Chart::grid(data.curves.iter().map(|curve| panel(p, curve)).collect()).shared(),
             Show::Radial => Chart::new(lines(p, data)),
-            Show::Logarithmic => Chart::new(logarithmic(data)),
+            Show::Logarithmic => Chart::new(logarithmic(p, data)),
             Show::Anisotropy => Chart::new(anisotropy(data)),
         };
         let chart = if p.show == Show::Images { chart.key(Key::Hidden) } else { chart };
@@ -352,8 +352,8 @@ mod drawing {
     }
 
     fn through(curve: &Curve, value: fn(&Mean) -> f64) -> Line {
-        let points = curve.rings.iter().map(|ring| (ring.frequency, value(ring))).collect();
-        Line::new(points).style(Style::of(&curve.method)).label(curve.title.as_str())
+        let points = curve.rings.iter().map(|ring| (ring.frequency, value(ring))).filter(|at| at.1.is_finite());
+        Line::new(points.collect()).style(Style::of(&curve.method)).label(curve.title.as_str())
     }
 
     /// The exact expectations, named once.
@@ -383,17 +383,16 @@ mod drawing {
         panel.with_all(data.curves.iter().map(|curve| through(curve, |ring| ring.power)))
     }
 
-    fn logarithmic(data: &Data) -> Panel {
-        let least = |curve: &Curve| curve.rings.iter().map(|ring| ring.power).fold(f64::INFINITY, f64::min);
-        let positive = data.curves.iter().filter(|curve| least(curve) > 1e-12);
-        let panel = Panel::new(Axis::log2("frequency"), Axis::log("mean power")).ratio(0.62);
+    /// Rounding alone is no power, and has no place on a logarithmic axis.
+    fn logarithmic(p: &Spectrum, data: &Data) -> Panel {
+        let panel = Panel::new(Axis::log2("frequency").range(1.0, p.reach as f64), Axis::log("mean power")).ratio(0.62);
         let panel = panel.with(Rule::horizontal(1.0).style(Style::THEORY)).with_all(theory(data));
-        panel.with_all(positive.map(|curve| {
+        panel.with_all(data.curves.iter().map(|curve| {
             let label = match curve.slope {
                 Some((slope, _)) => format!("{} ({})", curve.title, fixed(slope, 2)),
                 None => curve.title.clone(),
             };
-            through(curve, |ring| ring.power).label(label)
+            through(curve, |ring| if ring.power > 1e-12 { ring.power } else { f64::NAN }).label(label)
         }))
     }
 

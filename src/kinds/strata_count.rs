@@ -10,7 +10,6 @@ use crate::catalogue::About;
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::parameters::parameters;
 use crate::seed::Seed;
-use crate::stats::portable;
 
 /// The kind `strata-count`.
 pub static STRATA_COUNT: StrataCountKind = StrataCountKind;
@@ -35,7 +34,7 @@ parameters! {
         /// The dimensions: one row each.
         dimensions: Vec<usize> [in 1..=64] = [1, 2, 3, 4, 6, 8, 16],
         /// How many samples are within reach.
-        reach: f64 [in 1.0..=1e300] = 1e9,
+        reach: f64 [in 1.0..=1e18] = 1e9,
     }
 }
 
@@ -124,8 +123,7 @@ fn power(k: u64, d: usize) -> String {
 
 /// The value of decimal digits; infinite where no number is so large.
 fn number(digits: &str) -> f64 {
-    let head: f64 = digits[..digits.len().min(17)].parse().unwrap_or(f64::INFINITY);
-    head * portable::pow(10.0, digits.len().saturating_sub(17) as f64)
+    digits.parse().unwrap_or(f64::INFINITY)
 }
 
 mod drawing {
@@ -156,7 +154,10 @@ mod drawing {
         match count.parse::<i64>() {
             Ok(whole) if count.len() <= LONG => Cell::Decimal { value, text: bracketed(integer(whole)) },
             _ => {
-                let (mantissa, exponent) = parts(value, 3);
+                // From the digits, since the count may be more than any number.
+                let head = count.get(..16).unwrap_or(count);
+                let (mantissa, exponent) = parts(number(head), 3);
+                let exponent = exponent + (count.len() - head.len()) as i32;
                 Cell::Math(bracketed(format!("{mantissa} \\times 10^{{{exponent}}}")))
             }
         }
@@ -173,7 +174,11 @@ mod drawing {
         let most = cells.iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
         let beyond = cells.iter().filter(|cell| cell.2 > p.reach).count();
         let told = |&(d, k, count): &(usize, usize, f64)| {
-            format!("{} for {k} strata along each of {d} axes", significant(count, 4))
+            if count.is_finite() {
+                format!("{} for {k} strata along each of {d} axes", significant(count, 4))
+            } else {
+                format!("more than 10^308 for {k} strata along each of {d} axes")
+            }
         };
         let told = [told(least), told(most)].join(" to ");
         Some(format!(

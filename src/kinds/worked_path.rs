@@ -215,8 +215,7 @@ mod drawing {
             Column::left("Numbers"),
             Column::left("Mean"),
             Column::right("$z$"),
-            Column::right("$\\chi^2$ probability"),
-            Column::left("RMSE"),
+            Column::right("$\\chi^2$: $p$"),
             Column::left("Slope"),
             Column::left("Verdict"),
         ]);
@@ -226,7 +225,6 @@ mod drawing {
                 Cell::estimate(stage.mean, stage.error.unwrap_or(f64::NAN)),
                 stage.z.map_or(Cell::Empty, |z| Cell::fixed(z, 2)),
                 Cell::fixed(stage.chi_square, 3),
-                Cell::significant(stage.rmse, 2),
                 stage.rate.map_or(Cell::Empty, |rate| Cell::estimate(rate.slope, rate.error.unwrap_or(f64::NAN))),
                 Cell::text(if stage.passes() { "passes" } else { "fails" }),
             ]);

@@ -6,7 +6,7 @@
 //! points or 1.
 //!
 //! **Algorithms.** One dimension: sorting, 1/(2n) + max |x_(i) - (2i-1)/(2n)|. Two: a sweep along x
-//! with a kinetic tournament over y, about n log n. Three: such sweeps at heights that bounds cannot
+//! over blocks in y, n^(3/2) additions and comparisons of which many go side by side. Three: such sweeps at heights that bounds cannot
 //! skip. More: all boxes of the grid of coordinates, in the order of a tree that drops a branch as
 //! soon as its best bound is below the best found, up to a fixed number of steps; beyond, a lower
 //! bound, and called so.

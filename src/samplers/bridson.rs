@@ -7,7 +7,7 @@
 //! **Formula.** Each candidate lies uniformly in the shell r <= distance < 2r.
 //!
 //! **Guarantees.** No two points are nearer on the torus than 0.60 of the largest possible
-//! distance (0.45 with fewer than 30 tries); unbiased.
+//! distance, except with fewer than 30 tries, where the front may die early; unbiased.
 //!
 //! **Cost.** Linear in n for each run; the radius is corrected over up to nine runs until one ends
 //! with exactly n points, and then shrunk in up to 64 steps, each linear in n as well.
@@ -47,7 +47,7 @@ const TRIES: u32 = 30;
 static SETTINGS: [Setting; 1] = [Setting {
     name: "tries",
     meaning: "how many candidates a point throws around it before it leaves the front",
-    least: 1,
+    least: 10,
     most: 1000,
     is_prime: false,
     default: Preset::Number(TRIES),
@@ -77,7 +77,7 @@ impl Entry for Bridson {
 impl Sampler for Bridson {
     fn guarantees(&self) -> &'static [Guarantee] {
         if self.tries < TRIES {
-            &[Guarantee::Separated { percent: 45 }, Guarantee::Unbiased]
+            &[Guarantee::Unbiased]
         } else {
             &[Guarantee::Separated { percent: 60 }, Guarantee::Unbiased]
         }

@@ -33,6 +33,7 @@ pub mod latin_hypercube;
 pub mod maximal_poisson;
 mod method;
 pub mod multi_jittered;
+pub mod niederreiter;
 pub mod orthogonal_array;
 pub mod orthogonal_array_bush;
 pub mod padded_jittered;
@@ -77,6 +78,7 @@ pub static SAMPLERS: &[&dyn Sampler] = &[
     &folded::Folded,
     &faure::PLAIN,
     &sobol::Sobol,
+    &niederreiter::Niederreiter,
     &zero_two::ZeroTwo,
     &larcher_pillichshammer::LarcherPillichshammer,
     &progressive_multi_jittered::ProgressiveMultiJittered,

@@ -208,7 +208,7 @@ pub fn uniform<const D: usize>(random: &mut Random) -> Place<D> {
 const RUNS: u64 = 8;
 
 /// Runs at all.
-const MOST_RUNS: u64 = 256;
+const MOST_RUNS: u64 = 64;
 
 /// Radii that are tried for the last points.
 const STEPS: u64 = 64;

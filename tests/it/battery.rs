@@ -6,9 +6,10 @@
 use crate::checks::{
     fills_boxes, has_strength, in_range, is_block_net, is_latin, is_net, is_stratified, relative_radius, worst_moment,
 };
+use crate::settings::TOLD;
 use workbook::points::Points;
 use workbook::samplers::digits::logarithm;
-use workbook::samplers::{Guarantee, Method, Preset, SAMPLERS, UnknownMethod, Values};
+use workbook::samplers::{Guarantee, Method};
 use workbook::seed::Seed;
 
 /// The counts tried: powers of 2, 3, 5 and of small cubes, and what lies between.
@@ -17,31 +18,6 @@ const COUNTS: &[usize] = &[1, 2, 3, 4, 5, 7, 8, 9, 16, 25, 27, 31, 49, 64, 81, 1
 /// The dimensions tried.
 const DIMENSIONS: &[usize] = &[1, 2, 3, 5, 8];
 
-/// Samplers with settings, of each kind of setting; each is tried alone and with every scramble.
-const TOLD: &[&str] = &[
-    "radical-inverse(base=3)",
-    "radical-inverse(base=4)",
-    "radical-inverse(base=7)",
-    "faure(base=2)",
-    "faure(base=3)",
-    "faure(base=5)",
-    "faure(base=7)",
-    "hammersley(base=3)",
-    "hammersley(base=5)",
-    "korobov(generator=7)",
-    "uniform-jitter(rows=2)",
-    "uniform-jitter(rows=9,columns=3)",
-    "jittered(rows=4,columns=2)",
-    "multi-jittered(columns=3)",
-    "multi-jittered(rows=16,columns=2)",
-    "correlated-multi-jittered(rows=5)",
-    "correlated-multi-jittered(rows=4,columns=8)",
-    "orthogonal-array-bush(strength=2)",
-    "orthogonal-array-bush(strength=4)",
-    "bridson(tries=5)",
-    "best-candidate(candidates=3)",
-];
-
 /// Every method: all without settings, and those of [`TOLD`].
 fn methods() -> impl Iterator<Item = Method> {
     Method::all().chain(TOLD.iter().flat_map(|name| Method::parse(name).expect(name).family()))
@@ -49,10 +25,25 @@ fn methods() -> impl Iterator<Item = Method> {
 
 /// Every method with every admitted n and d.
 fn cases() -> impl Iterator<Item = (Method, usize, usize)> {
-    methods().flat_map(|method| {
-        let pairs = DIMENSIONS.iter().flat_map(|&d| COUNTS.iter().map(move |&n| (n, d)));
-        pairs.filter(move |&(n, d)| method.admits(n, d).is_ok()).map(move |(n, d)| (method, n, d))
-    })
+    methods().flat_map(|method| pairs(method, COUNTS, DIMENSIONS))
+}
+
+/// Whether it is one of the samplers of the torus that keep points apart.
+fn keeps_distances(method: &Method) -> bool {
+    ["dart-throwing", "bridson", "maximal-poisson", "best-candidate"].contains(&method.sampler().about().key)
+}
+
+/// The method with each of `counts` and `dimensions` that it admits.
+fn pairs<'c>(
+    method: Method,
+    counts: &'c [usize],
+    dimensions: &'c [usize],
+) -> impl Iterator<Item = (Method, usize, usize)> + 'c {
+    // These search long in three dimensions: few counts are enough there.
+    let slow = keeps_distances(&method);
+    let pairs = dimensions.iter().flat_map(move |&d| counts.iter().map(move |&n| (n, d)));
+    let pairs = pairs.filter(move |&(n, d)| !slow || n <= [128, 300, 16][(d - 1).min(2)]);
+    pairs.filter(move |&(n, d)| method.admits(n, d).is_ok()).map(move |(n, d)| (method, n, d))
 }
 
 fn points(method: Method, n: usize, d: usize, seed: u64) -> Points {
@@ -81,10 +72,14 @@ fn same_call_same_bits_and_only_random_methods_heed_the_seed() {
 
 #[test]
 fn prefixes_are_the_shorter_sets() {
-    for (method, n, d) in cases().filter(|(method, ..)| method.guarantees().contains(&Guarantee::Prefix)) {
-        let longest = points(method, 300, d, 5);
-        let prefix = Points::from_rows(d, longest.coordinates()[..n * d].to_vec()).expect("whole rows");
-        assert_eq!(prefix, points(method, n, d, 5), "{method}: n = {n}, d = {d}");
+    for method in methods().filter(|method| method.guarantees().contains(&Guarantee::Prefix)) {
+        for (_, most, d) in pairs(method, &[16, 300], DIMENSIONS) {
+            let longest = points(method, most, d, 5);
+            for &n in COUNTS.iter().filter(|&&n| n < most) {
+                let prefix = Points::from_rows(d, longest.coordinates()[..n * d].to_vec()).expect("whole rows");
+                assert_eq!(prefix, points(method, n, d, 5), "{method}: n = {n}, d = {d}");
+            }
+        }
     }
 }
 
@@ -239,12 +234,13 @@ fn far_indices_stay_below_one() {
     }
 }
 
-/// Every single axis of a net in base 2, to the last one, has one point in each dyadic interval.
+/// Every single axis of a net in base 2, to the last one, has one point in each dyadic interval; in
+/// Niederreiter's sequence only where its polynomial has degree 1.
 #[test]
 fn every_axis_alone_is_a_net() {
     let d = 256;
-    for method in
-        Method::all().filter(|method| method.net(d).is_some_and(|net| net.base == 2) && method.admits(1, d).is_ok())
+    let methods = Method::all().filter(|method| method.sampler().about().key != "niederreiter");
+    for method in methods.filter(|method| method.net(d).is_some_and(|net| net.base == 2) && method.admits(1, d).is_ok())
     {
         let points = points(method, 256, d, 3);
         for axis in 0..d {
@@ -270,7 +266,12 @@ fn consecutive_points_fill_boxes() {
 /// of neighbouring axes): within 5 standard errors, which are measured over the seeds.
 #[test]
 fn points_are_uniform_over_seeds() {
-    for (method, n, d) in cases().filter(|&(_, n, d)| [1, 8, 9, 16].contains(&n) && d <= 3) {
+    let told: Vec<Method> = TOLD.iter().map(|name| Method::parse(name).expect(name)).collect();
+    // Of the settings those without a scramble: the scrambles are tried on the plain ones.
+    let cases = Method::all().chain(told).flat_map(|method| pairs(method, &[1, 8, 9, 16], &[1, 2, 3]));
+    // A random shift of the torus makes those that keep distances uniform: few counts tell.
+    let few = |method: &Method, n, d| d == 2 || n == 8 || !keeps_distances(method);
+    for (method, n, d) in cases.filter(|(method, n, d)| few(method, *n, *d)) {
         if method.guarantees().contains(&Guarantee::Unbiased) {
             let worst = worst_moment(|seed| points(method, n, d, seed));
             assert!(worst < 5.2, "{method}: n = {n}, d = {d}: a moment is off by {worst} standard errors");
@@ -312,95 +313,6 @@ fn names_read_back_and_slips_are_answered() {
         error("independent+xor"),
         "`independent` cannot be combined with `xor`: its coordinates have no digits to shift"
     );
-}
-
-/// What is set in a sampler is read back in one form, and every slip is told where it is.
-#[test]
-fn settings_have_one_form_and_slips_are_placed() {
-    let name = |written: &str| Method::parse(written).expect(written).name();
-    assert_eq!(name(" correlated-multi-jittered( columns=8 , rows = 04)"), TOLD[16]);
-    assert_eq!(name("faure ( base = 5 ) + owen"), "faure(base=5)+owen");
-    assert_eq!(name("bridson(tries=30)"), "bridson");
-    assert_eq!(Method::parse("bridson(tries=30)"), Method::parse("bridson"));
-    assert_eq!(Method::parse("faure(base=5)+xor").expect("known").title(), "Faure (base 5) with XOR");
-    let slips = [
-        ("faure(bsae=5)", "bsae", "`faure`: it has no setting `bsae`, only `base`"),
-        ("halton(base=5)", "base", "`halton`: it has no setting `base`, nor any other"),
-        (
-            "faure(base=4)+owen",
-            "4",
-            "`faure`: `base` cannot be `4`: it must be a prime from 2 to 257; the nearest are 3 and 5",
-        ),
-        (
-            "faure(base=1000)",
-            "1000",
-            "`faure`: `base` cannot be `1000`: it must be a prime from 2 to 257; the nearest is 257",
-        ),
-        (
-            "bridson(tries=0)",
-            "0",
-            "`bridson`: `tries` cannot be `0`: it must be a whole number from 1 to 1000; the nearest is 1",
-        ),
-        (
-            "bridson(tries=many)",
-            "many",
-            "`bridson`: `tries` cannot be `many`: it must be a whole number from 1 to 1000",
-        ),
-        ("bridson(tries=99999999999)", "99999999999", "`bridson`: `tries` cannot be"),
-        ("jittered(rows=2, rows=2)", "rows", "`jittered`: `rows` is set twice"),
-        ("jittered(rows=2", "jittered(rows=2", "`jittered`: settings are written as in `faure(base=5)`"),
-        ("jittered()", "", "`jittered`: settings are written as in"),
-        ("jittered(2)", "2", "`jittered`: settings are written as in"),
-    ];
-    for (written, place, message) in slips {
-        let error = Method::parse(written).expect_err(written);
-        assert!(error.to_string().starts_with(message), "{written}: {error}");
-        let UnknownMethod::Setting { range, .. } = error else { panic!("{written}") };
-        assert_eq!(&written[range], place, "{written}");
-    }
-    assert_eq!(Method::parse("faure(bsae=5)").expect_err("a slip").suggestion(), Some("base"));
-    // Settings that fit no other count or dimension are refused with the nearest.
-    let refused =
-        |name: &str, n, d| Method::parse(name).expect(name).points(n, d, Seed::new(1)).expect_err(name).to_string();
-    assert_eq!(refused("faure(base=5)", 5, 6), "d = 6 is not possible: d must be from 1 to 5");
-    assert_eq!(
-        refused("jittered(rows=4,columns=8)", 31, 2),
-        "n = 31 is not possible: it must be rows x columns; the nearest is 32"
-    );
-    assert_eq!(
-        refused("jittered(rows=4)", 9, 2),
-        "n = 9 is not possible: it must be a multiple of the rows; the nearest are 8 and 12"
-    );
-    assert_eq!(refused("jittered(rows=4)", 8, 3), "d = 3 is not possible: this method has 2 dimensions");
-    assert_eq!(
-        refused("korobov(generator=6)", 8, 2),
-        "n = 8 is not possible: it must be without a common divisor with the generator; the nearest are 7 and 11"
-    );
-}
-
-/// Settings are declared as they are used: names, limits that hold the default, and another sampler
-/// for each value.
-#[test]
-fn settings_are_declared_soundly() {
-    let mut settings = 0;
-    for sampler in SAMPLERS {
-        let key = sampler.about().key;
-        assert_eq!(sampler.with(Values::default()).is_some(), !sampler.settings().is_empty(), "{key}");
-        for setting in sampler.settings() {
-            let plain = |c: char| c.is_ascii_lowercase() || c == '-';
-            assert!(setting.name.chars().all(plain) && !setting.meaning.ends_with('.'), "{key}");
-            if let Preset::Number(number) = setting.default {
-                assert!((setting.least..=setting.most).contains(&number), "{key}");
-            }
-            for value in [setting.least, setting.most] {
-                let name = format!("{key}({}={value})", setting.name);
-                let method = Method::parse(&name);
-                assert!(method.is_ok(), "{name}: {method:?}");
-            }
-            settings += 1;
-        }
-    }
-    assert!(settings > 12, "only {settings} settings");
 }
 
 /// Catalogues: unique keys, sources that are the file named, at least one paper each, and every

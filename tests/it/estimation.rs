@@ -162,7 +162,8 @@ fn quicksort_compares_as_often_as_it_should() {
     near(&sorts, "expected", 2.0 * 101.0 * 5.187_377_517_639_62 - 400.0, 1e-9);
     assert!(z(&sorts, "mean", number(&sorts, "expected")).abs() < 4.5);
     // Knuth's variance of quicksort (The Art of Computer Programming 3, 5.2.2), with H_100^(2) = 1.63498390018489.
-    let variance = 7.0e4 - 4.0 * 101.0 * 101.0 * 1.634_983_900_184_89 - 2.0 * 101.0 * 5.187_377_517_639_62 + 1300.0;
+    let variance: f64 =
+        7.0e4 - 4.0 * 101.0 * 101.0 * 1.634_983_900_184_89 - 2.0 * 101.0 * 5.187_377_517_639_62 + 1300.0;
     near(&sorts, "expected.deviation", variance.sqrt(), 1e-8);
     near(&sorts, "deviation", variance.sqrt(), 0.06 * variance.sqrt());
     // Two keys are compared once, three keys two or three times, 8/3 on average.
@@ -306,6 +307,7 @@ fn wrong_questions_are_told_and_odd_ones_drawn() {
         match experiment.draw(&outcome, &sheet).unwrap_or_else(|failure| panic!("{odd}: {failure:?}")) {
             Drawing::Figure(figure) => assert!(figure.svg.contains("<svg"), "{odd}"),
             Drawing::Table(table) => assert!(!table.rows.is_empty(), "{odd}"),
+            other => panic!("{odd}: {other:?}"),
         }
         let alt = experiment.alt(&outcome).unwrap_or_default();
         assert!(alt.ends_with('.') && !alt.contains("NaN") && !alt.contains("inf"), "{odd}: {alt}");

@@ -34,14 +34,18 @@ mod measures;
 mod pages;
 #[cfg(feature = "publish")]
 mod parameters;
-mod pictures;
+mod paths;
 #[cfg(feature = "publish")]
 mod pictures;
+#[cfg(feature = "publish")]
 mod point_kinds;
 #[cfg(feature = "publish")]
 mod points;
 #[cfg(feature = "publish")]
 mod review;
+mod settings;
 mod statistics;
+#[cfg(feature = "publish")]
+mod steppers;
 #[cfg(feature = "publish")]
 mod tidy;

@@ -289,6 +289,19 @@ fn the_spectrum_is_the_periodogram() {
 
 /// Expected spectra: 1 for independent points, 1 - prod sinc^2 for jittered, and the two forms of
 /// Latin hypercubes.
+/// Rows computed apart are those of the whole, to the bit, wherever the rows are cut.
+#[test]
+fn rows_of_the_spectrum_can_be_shared() {
+    for (n, reach, cuts) in [(1, 0, [0, 0]), (13, 9, [1, 4]), (64, 40, [17, 33])] {
+        let points = points("independent", n, 2, 6);
+        let whole = spectrum::power(&points, reach).expect("points of the plane");
+        let parts = [0..cuts[0], cuts[0]..cuts[1], cuts[1]..reach + 1];
+        let rows = parts.map(|rows| spectrum::power_rows(&points, reach, rows).expect("rows")).concat();
+        assert_eq!(spectrum::Spectrum::from_rows(reach, rows), Some(whole), "{n} points up to {reach}");
+    }
+    assert_eq!(spectrum::Spectrum::from_rows(2, vec![0.0; 14]), None);
+}
+
 #[test]
 fn expected_spectra_are_met() {
     let sinc =

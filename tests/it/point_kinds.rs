@@ -134,18 +134,18 @@ fn late_halton_axes_are_correlated_until_permuted() {
     assert!((number(&long, "correlation.halton.32-33") - 0.849).abs() < 5e-4);
     assert!(number(&long, "correlation.halton+permutation.32-33").abs() < 0.3);
     assert!(number(&long, "correlation.halton.1-2").abs() < 0.05);
-    assert_eq!(svg(&fence(64)).matches("font-weight=\"600\"").count(), 4, "a title for each of the four panels");
+    assert!(svg(&fence(64)).matches("font-weight=\"600\"").count() >= 4, "a title for each of the four panels");
     let net = outcome("kind = \"projections\"\nsampler = \"sobol\"\nn = 64\npairs = [[2, 1]]");
     assert_eq!(number(&net, "violations.sobol.2-1"), 0.0);
 }
 
 #[test]
 fn counts_of_strata_are_exact() {
-    let table = outcome("kind = \"strata-count\"\nper_axis = [2, 10, 1000000]\ndimensions = [1, 10, 63]");
+    let table = outcome("kind = \"strata-count\"\nper_axis = [2, 10, 1000]\ndimensions = [1, 10, 63]");
     assert_eq!(number(&table, "strata.2.10"), 1024.0);
     assert_eq!(number(&table, "strata.10.10"), 1e10);
     assert_eq!(number(&table, "strata.2.63"), 2.0_f64.powi(63));
-    assert!((number(&table, "strata.1000000.63") / 1e300 - 1e78).abs() < 1e66);
+    assert!((number(&table, "strata.1000.63") / 1e189 - 1.0).abs() < 1e-14);
     assert!(flag(&table, "within-reach.2.10") && !flag(&table, "within-reach.10.10"));
     let rows = rows("kind = \"strata-count\"\nper_axis = [3]\ndimensions = [20, 40]");
     assert_eq!(rows[0][1], "(3\u{2009}486\u{2009}784\u{2009}401)");
@@ -380,7 +380,7 @@ fn degenerate_questions_are_answered_or_refused_in_words() {
         "kind = \"occupancy\"\nsampler = \"independent\"\nn = 2",
         "kind = \"guarantees\"\nsampler = \"independent\"\nn = 2\ndimensions = 1\nseeds = 1\nproperties = [\"pairs\", \"separated\", \"cells\"]",
         "kind = \"enumeration\"\ndigits = [1, 1]\nsamples = 1\nrows = 1",
-        "kind = \"strata-count\"\nper_axis = 1\ndimensions = 64",
+        "kind = \"strata-count\"\nper_axis = [1, 1000000]\ndimensions = 64",
     ];
     for fence in good {
         match drawn(fence).0 {
@@ -425,4 +425,45 @@ fn the_number_of_threads_never_shows() {
         };
         assert!(on(1) == on(3), "{fence}");
     }
+}
+
+/// The modified Bessel function I0, by its series.
+fn bessel(x: f64) -> f64 {
+    let term = |term: &mut f64, k: u32| {
+        *term *= (x / 2.0) * (x / 2.0) / f64::from(k * k);
+        Some(*term)
+    };
+    1.0 + (1..40).scan(1.0, term).sum::<f64>()
+}
+
+#[test]
+fn spectra_predict_the_variance_of_estimates() {
+    let fence = "kind = 'spectral-error'\nsamplers = ['independent', 'jittered', 'sobol', 'latin-hypercube']\nn = 64\nreplicates = 300";
+    let outcome = outcome(fence);
+    // The integral of exp(cos a + cos b) is I0(1)^2, that of its square I0(2)^2.
+    let integral = bessel(1.0).powi(2);
+    assert!((number(&outcome, "integral") - integral).abs() < 1e-12);
+    let variance = (bessel(2.0).powi(2) - integral.powi(2)) / 64.0;
+    for (name, exact) in [("measured", variance), ("predicted", variance)] {
+        let name = format!("{name}.independent");
+        let z = (number(&outcome, &name) - exact) / error(&outcome, &name);
+        assert!(z.abs() < 4.0, "{name}: {z}");
+    }
+    for method in ["independent", "jittered", "sobol", "latin-hypercube"] {
+        assert!(number(&outcome, &format!("z.{method}")).abs() < 4.0, "{method}");
+    }
+    assert!(number(&outcome, "predicted.jittered") < 0.3 * variance);
+    assert!(svg(&format!("{fence}\nshow = 'overlap'")).contains("integrand"));
+    assert_eq!(rows(fence).len(), 4);
+}
+
+#[test]
+fn a_lattice_errs_by_its_dual_alone() {
+    // The points i/5, 2i/5 see the wave (2, -1), which repeats on them, and miss all others of its length.
+    let outcome = outcome(
+        "kind = 'spectral-error'\nsamplers = 'korobov(generator=2)'\nn = 5\nreach = 4\n\
+         integrand = 'cos(6.283185307179586*(2*x - y)) + cos(6.283185307179586*x)'",
+    );
+    assert!((number(&outcome, "predicted.korobov(generator=2)") - 0.5).abs() < 1e-12);
+    assert!(number(&outcome, "z.korobov(generator=2)").abs() < 4.0);
 }

@@ -5,7 +5,7 @@ use super::{Bug, Numbers, Run, Source, Test};
 /// The integral of xy over the unit square, which is 1/4.
 pub static BUG: Bug = Bug {
     key: "dimension-twice",
-    title: "one dimension used twice",
+    title: "dimension used twice",
     dimensions: 2,
     exact: 0.25,
     right,

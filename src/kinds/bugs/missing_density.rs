@@ -6,7 +6,7 @@ use crate::stats::portable;
 /// The integral of x exp(x) from 0 to 1, which is 1.
 pub static BUG: Bug = Bug {
     key: "missing-density",
-    title: "missing 1/p",
+    title: "1/p forgotten",
     dimensions: 1,
     exact: 1.0,
     right,

@@ -22,6 +22,7 @@ use crate::kinds::{Failure, Problems};
 use crate::points::Points;
 use crate::samplers::{Guarantee, Method};
 use crate::seed::Seed;
+use crate::stats::moments;
 
 pub use battery::{Battery, Form, Mark, Numbers, Test, battery, rate_of};
 use battery::{RUNS, counts};
@@ -132,21 +133,29 @@ impl<'a> Source<'a> {
 /// What a program did: its samples, and their contributions.
 #[derive(Debug, Default, PartialEq)]
 pub struct Run {
-    /// The samples, each with its coordinates carried back to [0, 1).
-    pub samples: Vec<Vec<f64>>,
+    /// How many coordinates a sample has.
+    axes: usize,
+    /// The coordinates of the samples, carried back to [0, 1), one sample after the other.
+    coordinates: Vec<f64>,
     /// The contribution of each sample.
-    pub values: Vec<f64>,
+    values: Vec<f64>,
 }
 
 impl Run {
-    /// Adds a sample and its contribution.
+    /// Adds a sample and its contribution; every sample has as many coordinates.
     pub fn add(&mut self, sample: &[f64], value: f64) {
-        self.samples.push(sample.to_vec());
+        self.axes = sample.len();
+        self.coordinates.extend_from_slice(sample);
         self.values.push(value);
+    }
+
+    /// The samples.
+    pub fn samples(&self) -> impl ExactSizeIterator<Item = &[f64]> {
+        self.coordinates.chunks_exact(self.axes.max(1))
     }
 
     /// The estimate: the mean of the contributions; NaN of none.
     pub fn estimate(&self) -> f64 {
-        crate::stats::moments::mean(&self.values)
+        moments::mean(&self.values)
     }
 }

@@ -1,7 +1,7 @@
 //! What the kinds that are stepped through share: point sets that change from step to step, and their drawing.
 
 use super::{Frame, Problems};
-use crate::chart::{MOST_STEPS, Region, Role, Style};
+use crate::chart::{Boxes, MOST_STEPS, Role, Style, number};
 use crate::diag::Code;
 use crate::metrics::occupancy;
 use crate::points::Points;
@@ -43,12 +43,14 @@ pub fn places(points: &Points) -> Vec<Place> {
 }
 
 /// The boxes of a grid that do not hold one point, pale: those that are empty in one colour, the others in another.
-pub fn marked(odd: &[(u32, u32, u32)], (columns, rows): (u32, u32)) -> impl Iterator<Item = Region> + '_ {
-    odd.iter().map(move |&(column, row, count)| {
-        let corner = |column: u32, row: u32| (f64::from(column) / f64::from(columns), f64::from(row) / f64::from(rows));
-        let role = if count == 0 { Role::Accent } else { Role::Ochre };
-        Region::new(corner(column, row), corner(column + 1, row + 1)).style(Style::new(role))
-    })
+pub fn marked(odd: &[(u32, u32, u32)], (columns, rows): (u32, u32)) -> Vec<Boxes> {
+    let corner = |column: u32, row: u32| (f64::from(column) / f64::from(columns), f64::from(row) / f64::from(rows));
+    let boxes = |empty: bool, role: Role| {
+        let those = odd.iter().filter(|&&(_, _, count)| (count == 0) == empty);
+        let boxes = those.map(|&(column, row, _)| [corner(column, row), corner(column + 1, row + 1)]).collect();
+        Boxes::new(boxes).style(Style::new(role))
+    };
+    vec![boxes(true, Role::Accent), boxes(false, Role::Ochre)]
 }
 
 /// The points of every step as columns.
@@ -81,13 +83,29 @@ pub fn check_panels(count: usize, name: &str, problems: &mut Problems<'_, '_>) {
     }
 }
 
-/// At most `most` of the numbers from 1 to `n`, evenly spread, with 1 and `n` among them.
-pub fn spread(n: usize, most: usize) -> Vec<usize> {
-    let count = most.min(n).max(1);
-    if count == 1 {
-        return vec![n];
+/// A point of the torus with its copies beyond the borders whose disks of this radius reach into the unit square.
+pub fn copies((x, y): Place, radius: f64) -> Vec<Place> {
+    let shifts = || [0.0, -1.0, 1.0].into_iter();
+    let reaches = |at: f64| at + radius > 0.0 && at - radius < 1.0;
+    let copies = shifts().flat_map(|dx| shifts().map(move |dy| (x + dx, y + dy)));
+    copies.filter(|at| reaches(at.0) && reaches(at.1)).collect()
+}
+
+/// The shortest way on the torus from one point to another: a segment, or two where it crosses a border.
+pub fn shortest(from: Place, to: Place) -> Vec<[Place; 2]> {
+    let near = |from: f64, to: f64| to - (to - from).round();
+    let (end, start) = ((near(from.0, to.0), near(from.1, to.1)), (near(to.0, from.0), near(to.1, from.1)));
+    if end == to { vec![[from, to]] } else { vec![[from, end], [start, to]] }
+}
+
+/// A number in [0, 1] as a fraction where its denominator is a small power of two, else with four decimals.
+pub fn fraction(x: f64) -> String {
+    let denominator = (0..=10).map(|bits| 1_u32 << bits).find(|&by| (x * f64::from(by)).fract() == 0.0);
+    match denominator {
+        Some(1) => number::fixed(x, 0),
+        Some(by) => format!("{}/{by}", (x * f64::from(by)) as u32),
+        None => number::fixed(x, 4),
     }
-    (0..count).map(|k| 1 + k * (n - 1) / (count - 1)).collect()
 }
 
 #[cfg(test)]
@@ -95,11 +113,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_spread_from_the_first_to_the_last() {
-        assert_eq!(spread(5, 9), [1, 2, 3, 4, 5]);
-        assert_eq!(spread(100, 3), [1, 50, 100]);
-        assert_eq!(spread(1, 5), [1]);
-        assert_eq!(spread(7, 1), [7]);
+    fn fractions_are_in_lowest_terms() {
+        assert_eq!([0.0, 0.5, 0.625, 0.75, 1.0].map(fraction), ["0", "1/2", "5/8", "3/4", "1"]);
+        assert_eq!(fraction(1.0 / 3.0), "0.3333");
+    }
+
+    #[test]
+    fn the_torus_has_no_border() {
+        assert_eq!(copies((0.5, 0.5), 0.4), [(0.5, 0.5)]);
+        assert_eq!(copies((0.1, 0.5), 0.2), [(0.1, 0.5), (1.1, 0.5)]);
+        assert_eq!(copies((0.1, 0.9), 0.2).len(), 4);
+        assert_eq!(shortest((0.1, 0.5), (0.3, 0.5)), [[(0.1, 0.5), (0.3, 0.5)]]);
+        let [one, two] = shortest((0.125, 0.5), (0.875, 0.5))[..] else { panic!("two pieces") };
+        assert_eq!((one, two), ([(0.125, 0.5), (-0.125, 0.5)], [(1.125, 0.5), (0.875, 0.5)]));
     }
 
     #[test]
