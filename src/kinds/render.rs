@@ -310,16 +310,17 @@ impl Plan {
         add(p.n.as_slice().len() > 1, &n.to_string(), format!("{n} sample{}", if n == 1 { "" } else { "s" }));
         add(p.light.len() > 1, &format!("{looks}x{lights}"), format!("{looks}\u{2009}×\u{2009}{lights}"));
         let relation = match self.randomisation {
-            Randomisation::Pixel => "a seed for each pixel",
-            Randomisation::Shift => "a shift for each pixel",
-            Randomisation::Sequence => "one sequence",
-            Randomisation::Same => "the same in all pixels",
-            Randomisation::Tiled => "the same in all tiles",
-            Randomisation::Diagonal => "one shift for all axes",
+            Randomisation::Pixel => "A seed for each pixel",
+            Randomisation::Shift => "A shift for each pixel",
+            Randomisation::Sequence => "One sequence",
+            Randomisation::Same => "The same in all pixels",
+            Randomisation::Tiled => "The same in all tiles",
+            Randomisation::Diagonal => "One shift for all axes",
         };
         add(p.randomisation.len() > 1, self.randomisation.word(), relation.to_owned());
         // A sampler that is the same in all pictures need not be told.
         if p.samplers.len() > 1 || words.is_empty() {
+            words.iter_mut().for_each(|word| *word = word.to_lowercase());
             words.insert(0, method.title());
         }
         (name, words.join(", "))
