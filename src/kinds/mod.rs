@@ -49,6 +49,7 @@ mod shuffle_steps;
 mod steps;
 mod xor_steps;
 
+mod averaging;
 mod bias;
 mod buffon;
 mod bug;
@@ -106,6 +107,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &bug::BUG,
     &bug_matrix::BUG_MATRIX,
     &render::RENDER,
+    &averaging::AVERAGING,
     &dart_steps::DART_STEPS,
     &candidate_steps::CANDIDATE_STEPS,
     &line_steps::LINE_STEPS,

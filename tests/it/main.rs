@@ -38,6 +38,8 @@ mod pages;
 mod parameters;
 mod paths;
 #[cfg(feature = "publish")]
+mod pictures;
+#[cfg(feature = "publish")]
 mod point_kinds;
 #[cfg(feature = "publish")]
 mod points;
