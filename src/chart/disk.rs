@@ -74,12 +74,20 @@ pub struct Boxes {
     pub(super) style: Style,
     pub(super) label: Option<Rich>,
     pub(super) opacity: f64,
+    pub(super) outlined: bool,
 }
 
 impl Boxes {
     /// Boxes between the first and the second corner of each pair.
     pub fn new(boxes: Vec<[(f64, f64); 2]>) -> Self {
-        Self { boxes, style: Style::ACCENT, label: None, opacity: 0.16 }
+        Self { boxes, style: Style::ACCENT, label: None, opacity: 0.16, outlined: true }
+    }
+
+    /// Without an outline.
+    #[must_use]
+    pub fn plain(mut self) -> Self {
+        self.outlined = false;
+        self
     }
 
     /// Filled this much, from 0 to 1.

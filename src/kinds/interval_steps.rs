@@ -143,7 +143,10 @@ mod drawing {
     use std::fmt::Write as _;
 
     pub(super) fn draw(p: &IntervalSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(if data.sets.len() > 1 { 290.0 } else { 190.0 });
+        let mut steps = match data.sets.len() {
+            1 => Steps::new(),
+            _ => Steps::new().small(290.0).key_steps([1, data.shapes.len() / 2 + 1]),
+        };
         for (index, &(columns, rows)) in data.shapes.iter().enumerate() {
             let panels = data.sets.iter().map(|set| panel(data, set, index)).collect();
             let count = |set: &Set| set.violated.get(index).map_or(0, Vec::len);

@@ -129,7 +129,7 @@ mod drawing {
     use crate::chart::{Chart, ChartError, Disks, Drawing, Key, Marker, Marks, Panel, Role, Sheet, Steps, Style};
 
     pub(super) fn draw(p: &PiSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new();
+        let mut steps = Steps::new().key_steps([data.steps.len() / 3 + 1, 2 * data.steps.len() / 3 + 1]);
         for (index, (places, inside)) in data.steps.iter().enumerate() {
             let chart = Chart::new(panel(data, &data.steps[..=index])).key(Key::Above);
             let n = places.len();

@@ -165,7 +165,7 @@ mod drawing {
     use std::fmt::Write as _;
 
     pub(super) fn draw(_: &RandomisationSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(if data.methods.len() > 1 { 290.0 } else { 190.0 }).key_steps([1, 2, 3]);
+        let mut steps = Steps::new().small(if data.methods.len() > 1 { 290.0 } else { 190.0 }).key_steps([1, 2]);
         for (number, sets) in data.steps.iter().enumerate() {
             let panels = sets.iter().zip(&data.methods).map(|(set, method)| panel(data, set, method)).collect();
             let what = if number == 0 { "Not scrambled".to_owned() } else { format!("Randomisation {number}") };

@@ -83,7 +83,11 @@ fn every_step_is_there_and_differs_from_its_neighbours() {
         for part in stepper.figure.svg.split(" data-steps=\"").skip(1) {
             let shown = steps(part.split_once('"').unwrap().0);
             assert!(shown.iter().all(|step| (1..=count).contains(step)), "{fence}");
-            assert_eq!(part.split_once('>').unwrap().0.contains("display=\"none\""), !shown.contains(&count), "{fence}");
+            assert_eq!(
+                part.split_once('>').unwrap().0.contains("display=\"none\""),
+                !shown.contains(&count),
+                "{fence}"
+            );
             for step in 2..=count {
                 changes[step] |= shown.contains(&step) != shown.contains(&(step - 1));
             }
@@ -119,9 +123,9 @@ fn moving(svg: &str, count: usize) -> Vec<Vec<(i64, i64)>> {
     let mut frames = vec![Vec::new(); count];
     for line in svg.lines().filter(|line| line.contains("transform=\"translate(")) {
         let still = line.split_once("translate(").unwrap().1.split_once(')').unwrap().0;
-        let places = line.split_once(" data-at=\"").map_or(format!("1 {still}"), |(_, rest)| {
-            rest.split_once('"').unwrap().0.to_owned()
-        });
+        let places = line
+            .split_once(" data-at=\"")
+            .map_or(format!("1 {still}"), |(_, rest)| rest.split_once('"').unwrap().0.to_owned());
         for (index, frame) in frames.iter_mut().enumerate() {
             let place = places.split(',').map(|place| place.split_once(' ').unwrap());
             let place = place.filter(|(from, _)| from.parse::<usize>().unwrap() <= index + 1).last().unwrap();
@@ -140,7 +144,8 @@ fn slabs_and_cells_hold_one_point_in_every_frame_as_written() {
     ] {
         let stepper = stepper(fence);
         // The frame of the unit square, the last closed path: from its corner across and down.
-        let frame = stepper.figure.svg.lines().rfind(|line| line.contains("s-axis") && line.ends_with("z\"/>")).unwrap();
+        let frame =
+            stepper.figure.svg.lines().rfind(|line| line.contains("s-axis") && line.ends_with("z\"/>")).unwrap();
         let data = frame.split_once(" d=\"M").unwrap().1;
         let (corner, rest) = data.split_once('h').unwrap();
         let hundredths = |text: &str| (text.parse::<f64>().unwrap() * 100.0).round() as i64;
@@ -198,7 +203,9 @@ fn what_is_known_is_found() {
     let intervals = outcome("kind = \"interval-steps\"\nsamplers = [\"sobol\", \"halton\", \"independent\"]");
     assert_eq!(number(&intervals, "violations.sobol"), 0.0);
     assert!(number(&intervals, "violations.halton") > 0.0 && number(&intervals, "violations.independent") > 0.0);
-    let shifts = outcome("kind = \"randomisation-steps\"\nsamplers = [\"sobol+cranley-patterson\", \"sobol+owen\", \"sobol+xor\"]");
+    let shifts = outcome(
+        "kind = \"randomisation-steps\"\nsamplers = [\"sobol+cranley-patterson\", \"sobol+owen\", \"sobol+xor\"]",
+    );
     assert!(number(&shifts, "violations.max.sobol+cranley-patterson") > 0.0);
     assert_eq!(number(&shifts, "violations.unscrambled.sobol+cranley-patterson"), 0.0);
     assert_eq!(number(&shifts, "violations.max.sobol+owen") + number(&shifts, "violations.max.sobol+xor"), 0.0);
@@ -278,12 +285,13 @@ fn what_cannot_be_stepped_through_is_refused_in_words() {
 #[test]
 fn pages_bring_controls_captions_and_key_steps() {
     let chapter = |fence: &str| {
-        format!("+++\ntitle = \"One\"\nsummary = \"S.\"\n+++\n\n```experiment\nid = \"fig-a\"\n{fence}\ncaption = 'C.'\n```\n")
+        format!(
+            "+++\ntitle = \"One\"\nsummary = \"S.\"\n+++\n\n```experiment\nid = \"fig-a\"\n{fence}\ncaption = 'C.'\n```\n"
+        )
     };
     let page = |fence: &str| {
         let configuration = "title = \"T\"\nauthors = [\"A\"]\n";
-        let course =
-            Course::new(&[("chapters/workbook.toml", configuration), ("chapters/01-one.md", &chapter(fence))]);
+        let course = Course::new(&[("chapters/workbook.toml", configuration), ("chapters/01-one.md", &chapter(fence))]);
         let composed = course.compose(1);
         assert!(composed.diagnostics.is_empty(), "{:?}", composed.diagnostics);
         String::from_utf8(composed.book.files["one.html"].clone()).unwrap()
@@ -293,7 +301,10 @@ fn pages_bring_controls_captions_and_key_steps() {
     assert_eq!(with.matches("<p hidden>").count(), 7, "all captions but the last wait");
     assert!(with.contains("class=\"step-final\"") && with.contains("Step 8.</span>"));
     assert_eq!(with.matches("<button type=\"button\" class=\"step-").count(), 4);
-    assert!(with.contains("class=\"step-controls\" role=\"group\" aria-label=\"Steps\" hidden"), "no control without a script");
+    assert!(
+        with.contains("class=\"step-controls\" role=\"group\" aria-label=\"Steps\" hidden"),
+        "no control without a script"
+    );
     assert_eq!(with.split_once("step-strip").unwrap().1.matches("<svg").count(), 3);
     let without = page("kind = \"function\"\nintegrand = \"x\"");
     assert!(!without.contains("stepper"));
