@@ -133,7 +133,7 @@ impl<'p> Painter<'p, '_> {
 
     fn segments(&mut self, segments: &Segments) -> Result<(), ChartError> {
         let panel = self.plot.panel;
-        let line = segments.segments.iter().flat_map(|ends| {
+        let line = segments.pairs.iter().flat_map(|ends| {
             let places = positions(ends, panel.x.scale, panel.y.scale);
             std::iter::once(None).chain(places)
         });
@@ -156,9 +156,9 @@ impl<'p> Painter<'p, '_> {
             let places = positions(corners, panel.x.scale, panel.y.scale);
             let [Some(a), Some(b)] = places[..] else { return None };
             let [a, b] = [a, b].map(|p| (inside(p.0, window.x), inside(p.1, window.y)));
-            (a.0 != b.0 && a.1 != b.1).then(|| [a, (b.0, a.1), b, (a.0, b.1)])
+            (a.0 != b.0 && a.1 != b.1).then_some([a, (b.0, a.1), b, (a.0, b.1)])
         };
-        let bodies: Vec<[(f64, f64); 4]> = boxes.boxes.iter().filter_map(body).collect();
+        let bodies: Vec<[(f64, f64); 4]> = boxes.corners.iter().filter_map(body).collect();
         let ends: Vec<usize> = (1..=bodies.len()).map(|index| index * 4).collect();
         let points = bodies.into_flattened();
         let ink = Ink::new(boxes.style.role, 1.25).dash(boxes.style.dash);

@@ -40,7 +40,7 @@ parameters! {
         /// The sampler, with an optional scramble.
         sampler: Method = "independent",
         /// The counts, one step each.
-        n: Counts [in 1..=256] = "2^0..2^6",
+        n: Counts [in 1..=256] = "2^0..2^5",
     }
 }
 

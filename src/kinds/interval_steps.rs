@@ -71,7 +71,8 @@ impl Kind for IntervalStepsKind {
         problems.admit("samplers", &p.samplers, &[p.n], 2);
         if logarithm(p.n as u64, p.base as u32).is_none() {
             let message = format!("{} is no power of the base {}", p.n, p.base);
-            let power = (1..).map(|m| p.base.pow(m)).take_while(|&power| power <= p.n).last().unwrap_or(p.base);
+            let powers = std::iter::successors(Some(p.base), |power| Some(power * p.base));
+            let power = powers.take_while(|&power| power <= p.n).last().unwrap_or(p.base);
             let help = format!("the nearest powers are {power} and {}", power * p.base);
             problems.at("n", Code::Count, message, Some(help));
         }
@@ -155,11 +156,13 @@ mod drawing {
                 match count(set) {
                     0 => caption.push_str(": one point in each."),
                     1 => caption.push_str(": one does not hold exactly one point."),
-                    many => caption += &format!(": {many} do not hold exactly one point."),
+                    many => {
+                        let _ = write!(caption, ": {many} do not hold exactly one point.");
+                    }
                 }
             } else {
                 let counts: Vec<String> = data.sets.iter().map(|s| format!("{} {}", s.title, count(s))).collect();
-                caption += &format!(", violated: {}.", counts.join(", "));
+                let _ = write!(caption, ", violated: {}.", counts.join(", "));
             }
             steps.push(Chart::grid(panels).key(Key::Hidden), caption);
         }

@@ -124,6 +124,8 @@ fn error(n: usize) -> f64 {
 mod drawing {
     //! The darts, and their words.
 
+    use std::fmt::Write as _;
+
     use super::{Data, PiSteps, Place, error, estimate};
     use crate::chart::number::{fixed, integer, significant};
     use crate::chart::{Chart, ChartError, Disks, Drawing, Key, Marker, Marks, Panel, Role, Sheet, Steps, Style};
@@ -138,7 +140,7 @@ mod drawing {
                 fixed(estimate(places, *inside), 4)
             );
             if p.sampler.name() == "independent" {
-                caption += &format!(", with a standard error of {}", significant(error(n), 2));
+                let _ = write!(caption, ", with a standard error of {}", significant(error(n), 2));
             }
             steps.push(chart, caption + ".");
         }

@@ -151,7 +151,7 @@ mod drawing {
         let mid = |index: usize| (index as f64 + 0.5) / count as f64;
         // The mask as far as it is applied.
         let mask: Vec<bool> = data.mask.iter().enumerate().map(|(bit, &set)| set && bit < step).collect();
-        let words = [(3.0, "*n*"), (2.0, "Φ(*n*)"), (1.0, "XOR mask"), (0.0, "result")];
+        let words = [(3.0, "*n*"), (2.0, "Φ(*n*)"), (1.0, "mask"), (0.0, "XOR")];
         let word = |(y, word): (f64, &str)| Note::new((-0.07, y), word).corner(Corner::Centre).role(Role::Axis);
         panel = panel.with_all(words.map(word));
         panel = panel.with(Segments::new(vec![[(-0.13, 0.5), (1.0, 0.5)]]).style(Style::MUTED).width(0.8));
