@@ -65,6 +65,21 @@ impl<'a> Backend<'a> {
         writeln!(out, " d=\"{data}\"/>").map_err(wrong)
     }
 
+    /// Writes a closed path's data as a path that is stroked, and filled with this opacity in per cent.
+    pub fn body(&mut self, data: &str, ink: Ink, filled: u8) -> Drawn {
+        let Ink { role, dash, width, .. } = ink;
+        let (name, colour) = (role.name(), role.light());
+        self.open("path");
+        let out = &mut *self.out;
+        write!(out, " class=\"s-{name} f-{name}\" stroke=\"{colour}\" stroke-width=\"").map_err(wrong)?;
+        hundredths(width as i32, out);
+        if dash != Dash::Solid {
+            write!(out, "\" stroke-dasharray=\"{}", dash.lengths()).map_err(wrong)?;
+        }
+        let filled = f64::from(filled) / 100.0;
+        writeln!(out, "\" fill=\"{colour}\" fill-opacity=\"{filled}\" d=\"{data}\"/>").map_err(wrong)
+    }
+
     /// Writes a path's data as a filled path; `halo` is a border in the page's colour.
     pub fn fill(&mut self, data: &str, role: Role, opacity: u8, halo: bool) -> Drawn {
         self.open("path");

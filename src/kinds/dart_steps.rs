@@ -147,7 +147,7 @@ mod drawing {
     };
 
     pub(super) fn draw(p: &DartSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(290.0);
+        let mut steps = Steps::new().small(290.0).key_steps([p.tries / 3 + 1, 2 * p.tries / 3 + 1]);
         for (index, dart) in data.darts.iter().enumerate() {
             let darts = &data.darts[..=index];
             let panels = vec![square(p, darts), tally(p, data, darts)];
@@ -165,17 +165,13 @@ mod drawing {
         for dart in darts.iter().filter(|dart| dart.blocked.is_none()) {
             panel = panel.with(Marks::new(vec![dart.at]).style(style).size(7.0));
         }
-        let (last, before) = darts.split_last().map_or((None, darts), |(last, before)| (Some(last), before));
-        for dart in before.iter().filter(|dart| dart.blocked.is_some()) {
+        for dart in darts.iter().filter(|dart| dart.blocked.is_some()) {
             panel =
-                panel.with(Marks::new(vec![dart.at]).style(Style::new(Role::Muted).marker(Marker::Cross)).size(6.0));
+                panel.with(Marks::new(vec![dart.at]).style(Style::new(Role::Muted).marker(Marker::Cross)).size(7.0));
         }
-        if let Some((dart, (near, _))) = last.and_then(|dart| Some((dart, dart.blocked?))) {
-            panel = panel
-                .with(Segments::new(steps::shortest(dart.at, near)).style(Style::ACCENT))
-                .with(Marks::new(vec![dart.at]).style(Style::ACCENT.marker(Marker::Cross)).size(10.0));
-        } else if let Some(dart) = last {
-            panel = panel.with(Segments::spots([dart.at]));
+        if let Some(dart) = darts.last() {
+            let way = dart.blocked.map_or_else(Vec::new, |(near, _)| steps::shortest(dart.at, near));
+            panel = panel.with(Segments::new(way).style(Style::ACCENT)).with(Segments::spots([dart.at]).tracked("new"));
         }
         panel.title("darts")
     }

@@ -40,7 +40,7 @@ parameters! {
         /// The sampler, with an optional scramble.
         sampler: Method = "independent",
         /// The counts, one step each.
-        n: Counts [in 1..=256] = "2^0..2^6",
+        n: Counts [in 1..=256] = "2^0..2^5",
     }
 }
 
@@ -55,7 +55,7 @@ pub struct Data {
 }
 
 /// Into how many pieces the curve is cut.
-const PIECES: usize = 96;
+const PIECES: usize = 64;
 
 impl Kind for EstimatorStepsKind {
     type Parameters = EstimatorSteps;
@@ -130,7 +130,8 @@ mod drawing {
     };
 
     pub(super) fn draw(_: &EstimatorSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new();
+        let count = data.steps.len();
+        let mut steps = Steps::new().small(290.0).key_steps([count / 3 + 1, 2 * count / 3 + 1]);
         for (samples, estimate) in &data.steps {
             steps.push(Chart::new(panel(data, samples, *estimate)).key(Key::Above), caption(data, samples, *estimate));
         }
@@ -147,7 +148,7 @@ mod drawing {
         let n = samples.len() as f64;
         let edge = |index: usize| index as f64 / n;
         let tops = samples.iter().map(|sample| sample.1).enumerate();
-        let boxes: Layer = if samples.len() <= 32 {
+        let boxes: Layer = if samples.len() <= 16 {
             let boxes = tops.map(|(index, top)| [(edge(index), 0.0), (edge(index + 1), top)]).collect();
             Boxes::new(boxes).style(Style::FILL).opacity(0.4).label("*N* boxes").into()
         } else {
@@ -159,7 +160,7 @@ mod drawing {
         panel = panel.with(boxes).with(Line::new(curve.collect()).label("*f*(*x*)"));
         panel = panel.with_all(data.exact.map(|exact| Rule::horizontal(exact).style(Style::EXACT).label("exact")));
         panel = panel.with(Rule::horizontal(estimate).style(Style::ACCENT).label("mean"));
-        if samples.len() <= 64 {
+        if samples.len() <= 32 {
             let feet = samples.iter().map(|&(x, y)| [(x, y), (x, y)]).collect();
             panel = panel.with(Segments::new(feet).width(5.0).style(Style::ACCENT));
         }

@@ -155,7 +155,7 @@ mod drawing {
     };
 
     pub(super) fn draw(p: &PaddingSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(290.0).key_steps([1, 3]);
+        let mut steps = Steps::new().small(290.0).key_steps([1]);
         let words = [
             "Three stratified sets, numbered in the order of their strata: sample by sample they would all say the same.",
             "The order of $t$ is shuffled: the number of a slab tells nothing any more.",

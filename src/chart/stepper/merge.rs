@@ -134,8 +134,7 @@ pub(super) fn joined(svg: &str) -> String {
 pub(super) fn merged(frames: &[String]) -> String {
     let mut merged: Vec<Merged<'_>> = Vec::new();
     for (step, frame) in frames.iter().enumerate() {
-        let elements: Vec<Element<'_>> =
-            frame.lines().filter(|line| *line != "</svg>").map(|line| Element::read(line)).collect();
+        let elements: Vec<Element<'_>> = frame.lines().filter(|line| *line != "</svg>").map(Element::read).collect();
         merged = add(merged, &elements, step);
     }
     let mut out = String::new();
@@ -144,7 +143,9 @@ pub(super) fn merged(frames: &[String]) -> String {
         if !all {
             group(run, frames.len(), &mut out);
         }
-        run.iter().for_each(|element| write(element, &mut out));
+        for element in run {
+            write(element, &mut out);
+        }
         if !all {
             out.push_str("</g>\n");
         }

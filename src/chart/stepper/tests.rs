@@ -1,6 +1,8 @@
 //! Steppers: replaying the stored changes gives each frame, byte by byte; the last is shown; small; refusals.
 
 use super::*;
+use std::fmt::Write as _;
+
 use crate::chart::{Axis, Disks, Marks, Note, Panel, Region, Strata};
 
 fn sheet() -> Sheet {
@@ -74,12 +76,12 @@ fn lines(data: &str) -> String {
             _ => None,
         };
         if let Some(moved) = moved.filter(|_| ends) {
-            out.push_str(&format!("{moved:?}"));
+            let _ = write!(out, "{moved:?}");
             at = moved;
             numbers.clear();
         }
         if c.is_ascii_alphabetic() || c == '"' {
-            out.push_str(&format!("{numbers:?}"));
+            let _ = write!(out, "{numbers:?}");
             numbers.clear();
             command = c;
             if !matches!(c, 'M' | 'l' | 'h' | 'v') {
@@ -170,7 +172,9 @@ fn key_steps_are_before_the_last() {
     assert_eq!(drawn.strip.iter().map(|key| key.step).collect::<Vec<_>>(), [1, 4, 7]);
     assert!(drawn.strip.iter().all(|key| !key.figure.svg.contains("data-") && key.figure.width == 190.0));
     let mut steps = Steps::new().key_steps([9, 0, 3, 3, 99]);
-    charts.iter().for_each(|chart| steps.push(chart.clone(), ""));
+    for chart in &charts {
+        steps.push(chart.clone(), "");
+    }
     assert_eq!(steps.draw(&sheet()).unwrap().strip.iter().map(|key| key.step).collect::<Vec<_>>(), [3]);
     assert!(stepper(&charts[..1]).strip.is_empty());
 }
