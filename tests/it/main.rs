@@ -34,6 +34,7 @@ mod pages;
 mod parameters;
 #[cfg(feature = "publish")]
 mod points;
+mod properties;
 #[cfg(feature = "publish")]
 mod review;
 mod settings;
