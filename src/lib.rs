@@ -15,7 +15,7 @@
 //!
 //! # The mathematics
 //!
-//! `samplers`, `scrambles`, `integrands` and `stats` know no chapter, file, thread or plot, and build alone with
+//! `samplers`, `scrambles`, `integrands`, `scenes` and `stats` know no chapter, file, thread or plot, and build alone with
 //! `--no-default-features`. Each method is one file, named in its folder's catalogue.
 //!
 //! # Invariants
@@ -28,9 +28,11 @@ pub mod integrands;
 pub mod metrics;
 pub mod points;
 pub mod samplers;
+pub mod scenes;
 pub mod scrambles;
 pub mod seed;
 pub mod stats;
+pub mod vectors;
 
 #[cfg(feature = "publish")]
 pub mod chart;
@@ -50,6 +52,8 @@ pub mod parameters;
 pub mod parse;
 #[cfg(feature = "publish")]
 pub mod plan;
+#[cfg(feature = "publish")]
+pub mod raster;
 #[cfg(feature = "publish")]
 pub mod render;
 #[cfg(feature = "publish")]

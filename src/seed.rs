@@ -111,10 +111,16 @@ impl Random {
     /// Shuffles `items` in place, every order equally likely (Fisher and Yates 1938, Durstenfeld's
     /// form).
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
-        for i in (1..items.len()).rev() {
-            // `i` itself is among the choices: leaving it out would give cyclic permutations only.
-            items.swap(i, self.below(i as u64 + 1) as usize);
+        for (i, j) in self.swaps(items.len()) {
+            items.swap(i, j);
         }
+    }
+
+    /// The swaps that shuffle `n` items, in order: for each i from the last to the second, j is
+    /// uniform in `0..=i`.
+    pub fn swaps(&mut self, n: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
+        // `i` itself is among the choices: leaving it out would give cyclic permutations only.
+        (1..n).rev().map(|i| (i, self.below(i as u64 + 1) as usize))
     }
 
     /// A random permutation of `0..n`.

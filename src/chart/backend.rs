@@ -21,19 +21,39 @@ pub(super) const UNIT: f64 = 100.0;
 pub(super) struct Backend<'a> {
     out: &'a mut String,
     size: (u32, u32),
+    /// What is being drawn is the element of this key, at this place.
+    pub(super) tracked: Option<(String, BackendCoord)>,
 }
+
+/// What stands between an element's name and its attributes where the element moves in a stepper: its key, then its place.
+pub(super) const TRACK: [&str; 3] = [" data-key=\"", "\" transform=\"translate(", ")\""];
 
 impl<'a> Backend<'a> {
     /// A backend of `size` hundredths that appends to `out`.
     pub fn new(out: &'a mut String, size: (u32, u32)) -> Self {
-        Self { out, size }
+        Self { out, size, tracked: None }
+    }
+
+    /// Writes the beginning of an element.
+    fn open(&mut self, name: &str) {
+        self.out.push('<');
+        self.out.push_str(name);
+        if let Some((key, place)) = &self.tracked {
+            let [before, between, after] = TRACK;
+            self.out.push_str(before);
+            escape(key, self.out);
+            self.out.push_str(between);
+            pair(*place, self.out);
+            self.out.push_str(after);
+        }
     }
 
     /// Writes a path's data as a stroked path.
     pub fn stroke(&mut self, data: &str, ink: Ink) -> Drawn {
         let Ink { role, dash, width, opacity } = ink;
+        self.open("path");
         let out = &mut *self.out;
-        write!(out, "<path class=\"s-{}\" stroke=\"{}\" stroke-width=\"", role.name(), role.light()).map_err(wrong)?;
+        write!(out, " class=\"s-{}\" stroke=\"{}\" stroke-width=\"", role.name(), role.light()).map_err(wrong)?;
         hundredths(width as i32, out);
         out.push('"');
         if dash != Dash::Solid {
@@ -47,8 +67,9 @@ impl<'a> Backend<'a> {
 
     /// Writes a path's data as a filled path; `halo` is a border in the page's colour.
     pub fn fill(&mut self, data: &str, role: Role, opacity: u8, halo: bool) -> Drawn {
+        self.open("path");
         let out = &mut *self.out;
-        write!(out, "<path class=\"f-{}", role.name()).map_err(wrong)?;
+        write!(out, " class=\"f-{}", role.name()).map_err(wrong)?;
         if halo {
             write!(out, " s-page\" stroke=\"{}\" stroke-width=\".8", Role::Page.light()).map_err(wrong)?;
         }
@@ -59,14 +80,31 @@ impl<'a> Backend<'a> {
         writeln!(out, " d=\"{data}\"/>").map_err(wrong)
     }
 
+    /// Writes a PNG in Base64 between two opposite corners, each of its pixels sharp.
+    pub fn image(&mut self, data: &str, from: BackendCoord, to: BackendCoord) -> Drawn {
+        let out = &mut *self.out;
+        let (x, y) = (from.0.min(to.0), from.1.min(to.1));
+        out.push_str("<image preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\"");
+        for (name, value) in [("x", x), ("y", y), ("width", from.0.max(to.0) - x), ("height", from.1.max(to.1) - y)] {
+            write!(out, " {name}=\"").map_err(wrong)?;
+            hundredths(value, out);
+            out.push('"');
+        }
+        writeln!(out, " href=\"data:image/png;base64,{data}\"/>").map_err(wrong)
+    }
+
     /// Writes text; `bold` for titles.
     pub fn text(&mut self, rich: &Rich, at: BackendCoord, anchor: (HPos, VPos), role: Role, bold: bool) -> Drawn {
+        self.open("text");
         let out = &mut *self.out;
-        write!(out, "<text class=\"f-{}\" fill=\"{}\" x=\"", role.name(), role.light()).map_err(wrong)?;
-        hundredths(at.0, out);
-        out.push_str("\" y=\"");
-        hundredths(at.1, out);
-        out.push('"');
+        write!(out, " class=\"f-{}\" fill=\"{}\"", role.name(), role.light()).map_err(wrong)?;
+        if self.tracked.is_none() {
+            out.push_str(" x=\"");
+            hundredths(at.0, out);
+            out.push_str("\" y=\"");
+            hundredths(at.1, out);
+            out.push('"');
+        }
         out.push_str(match anchor.1 {
             VPos::Top => " dy=\".72em\"",
             VPos::Center => " dy=\".35em\"",

@@ -7,7 +7,7 @@ use super::palette::Role;
 use super::shape::{Ink, Kind, Shape};
 use super::text::Rich;
 use super::ticks::Tick;
-use super::{ChartError, strata};
+use super::{ChartError, Layer, strata};
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::drawing::DrawingArea;
@@ -93,6 +93,7 @@ pub(super) fn plot(plot: &Plot<'_>, page: &Page<'_>) -> Result<(), ChartError> {
         let frame =
             Rectangle::new([(rect.left, rect.top), (rect.right, rect.bottom)], Ink::new(Role::Axis, 1.0).style(false));
         page.root.draw(&frame).map_err(failed)?;
+        rug(plot, page)?;
     } else {
         lines(plot, page)?;
     }
@@ -119,6 +120,32 @@ fn borders(plot: &Plot<'_>, page: &Page<'_>) -> Result<(), ChartError> {
         // The first strata are the coarser ones of interest; many lines are drawn thinner.
         let width = if index == 0 && ends.len() <= 70 { 0.9 } else { 0.5 };
         page.shape_exact(points, Kind::Stroke(ends, Ink::new(Role::Strata, width)))?;
+    }
+    Ok(())
+}
+
+/// The room that the ticks of a rug need beyond the frame, in units.
+pub(super) const RUG: f64 = 14.0;
+
+/// The coordinates of all marks as ticks above and at the right of the frame.
+fn rug(plot: &Plot<'_>, page: &Page<'_>) -> Result<(), ChartError> {
+    let (rect, panel) = (plot.rect, plot.panel);
+    if !panel.rug {
+        return Ok(());
+    }
+    for layer in &panel.layers {
+        let Layer::Marks(marks) = layer else { continue };
+        let (mut points, mut ends) = (Vec::new(), Vec::new());
+        let (width, height) = (rect.right - rect.left, rect.bottom - rect.top);
+        let all = || panel.strata.iter().chain(&panel.kept);
+        for &(x, y) in &marks.points {
+            let x = rect.left + strata::written(x, width, all().map(|s| s.columns));
+            let y = rect.bottom - strata::written(y, height, all().map(|s| s.rows));
+            points.extend([(x, rect.top - 300), (x, rect.top - 1100), (rect.right + 300, y), (rect.right + 1100, y)]);
+            ends.extend([points.len() - 2, points.len()]);
+        }
+        let width = if marks.points.len() > 64 { 0.6 } else { 1.4 };
+        page.shape_exact(points, Kind::Stroke(ends, Ink::new(marks.style.role, width)))?;
     }
     Ok(())
 }
@@ -206,14 +233,18 @@ fn labels(plot: &Plot<'_>, page: &Page<'_>) -> Result<(), ChartError> {
     Ok(())
 }
 
+/// The height of a line of a title, in units.
+pub(super) const TITLE: f64 = 17.0;
+
 /// The titles of the panel and of its axes, and what is not shown.
 fn words(plot: &Plot<'_>, page: &Page<'_>) -> Result<(), ChartError> {
     let (rect, panel) = (plot.rect, plot.panel);
     let unit = |hundredths: i32| f64::from(hundredths) / UNIT;
     let middle = f64::midpoint(unit(rect.left), unit(rect.right));
     let (top, cell) = plot.head;
-    if let Some(title) = &panel.title {
-        page.text(title, (middle, top + 15.0), (HPos::Center, VPos::Bottom), Role::Ink, true)?;
+    for (row, line) in plot.title.iter().enumerate() {
+        let at = (middle, top + 15.0 + TITLE * row as f64);
+        page.text(line, at, (HPos::Center, VPos::Bottom), Role::Ink, true)?;
     }
     if plot.labelled.1 && !panel.y.title.is_empty() {
         let at = (cell + 2.0, unit(rect.top) - 12.0);

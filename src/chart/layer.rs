@@ -1,7 +1,9 @@
 //! The layers of a panel: lines, points, bars, bands, rules, error bars, regions and notes.
 
+use super::disk::{Boxes, Disks, Segments};
 use super::palette::{Dash, Role, Style};
 use super::text::Rich;
+use crate::raster::Png;
 use crate::stats::portable;
 
 /// Something drawn on a panel's axes.
@@ -23,8 +25,16 @@ pub enum Layer {
     ErrorBars(ErrorBars),
     /// A rectangle.
     Region(Region),
+    /// A picture made of pixels.
+    Image(Image),
     /// A few words at a place.
     Note(Note),
+    /// A disk around each point.
+    Disks(Disks),
+    /// Straight lines from point to point.
+    Segments(Segments),
+    /// Rectangles.
+    Boxes(Boxes),
 }
 
 macro_rules! layers {
@@ -32,7 +42,7 @@ macro_rules! layers {
         fn from(layer: $name) -> Self { Self::$name(layer) }
     })+ };
 }
-layers! { Line Marks Bars Band Area Rule ErrorBars Region Note }
+layers! { Line Marks Bars Band Area Rule ErrorBars Region Image Note Disks Segments Boxes }
 
 macro_rules! labelled {
     ($($name:ident)+) => { $(impl $name {
@@ -51,7 +61,7 @@ macro_rules! labelled {
         }
     })+ };
 }
-labelled! { Line Marks Bars Band Area Rule ErrorBars Region }
+labelled! { Line Marks Bars Band Area Rule ErrorBars Region Disks Segments Boxes }
 
 /// A line through points in their order. It breaks where a value cannot be drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,12 +125,14 @@ pub struct Marks {
     pub(super) label: Option<Rich>,
     pub(super) names: Vec<Rich>,
     pub(super) size: Option<f64>,
+    pub(super) tracked: Option<&'static str>,
+    pub(super) among: usize,
 }
 
 impl Marks {
     /// Marks in the style's shape, of a size that suits their number.
     pub fn new(points: Vec<(f64, f64)>) -> Self {
-        Self { points, style: Style::INK, label: None, names: Vec::new(), size: None }
+        Self { points, style: Style::INK, label: None, names: Vec::new(), size: None, tracked: None, among: 0 }
     }
 
     /// With a name beside each point, in the order of the points.
@@ -130,10 +142,24 @@ impl Marks {
         self
     }
 
+    /// As some of `count` marks, of a size that suits all of them.
+    #[must_use]
+    pub fn among(mut self, count: usize) -> Self {
+        self.among = count;
+        self
+    }
+
     /// Of this diameter in units.
     #[must_use]
     pub fn size(mut self, size: f64) -> Self {
         self.size = Some(size);
+        self
+    }
+
+    /// The same marks in every frame of a stepper, in the same order: they move from place to place.
+    #[must_use]
+    pub fn tracked(mut self, name: &'static str) -> Self {
+        self.tracked = Some(name);
         self
     }
 }
@@ -252,6 +278,21 @@ impl Region {
     }
 }
 
+/// A picture made of pixels that fills the rectangle between two corners.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Image {
+    pub(super) from: (f64, f64),
+    pub(super) to: (f64, f64),
+    pub(super) png: Png,
+}
+
+impl Image {
+    /// The picture, its top row at the larger y, between two opposite corners.
+    pub fn new(from: (f64, f64), to: (f64, f64), png: Png) -> Self {
+        Self { from, to, png }
+    }
+}
+
 /// On which side of its place a note stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Corner {
@@ -264,6 +305,10 @@ pub enum Corner {
     BelowRight,
     /// Below and to the left.
     BelowLeft,
+    /// Above, in the middle.
+    Above,
+    /// Below, in the middle.
+    Below,
     /// In the middle.
     Centre,
 }
@@ -274,12 +319,37 @@ pub struct Note {
     pub(super) at: (f64, f64),
     pub(super) text: Rich,
     pub(super) corner: Corner,
+    pub(super) role: Role,
+    pub(super) bold: bool,
+    pub(super) tracked: Option<String>,
 }
 
 impl Note {
     /// Words at `(x, y)`.
     pub fn new(at: (f64, f64), text: impl Into<Rich>) -> Self {
-        Self { at, text: text.into(), corner: Corner::default() }
+        let corner = Corner::default();
+        Self { at, text: text.into(), corner, role: Role::Ink, bold: false, tracked: None }
+    }
+
+    /// In the colour of this role.
+    #[must_use]
+    pub fn role(mut self, role: Role) -> Self {
+        self.role = role;
+        self
+    }
+
+    /// In bold letters.
+    #[must_use]
+    pub fn bold(mut self) -> Self {
+        self.bold = true;
+        self
+    }
+
+    /// The same note in every frame of a stepper: it moves from place to place. Each note needs a name of its own.
+    #[must_use]
+    pub fn tracked(mut self, name: impl Into<String>) -> Self {
+        self.tracked = Some(name.into());
+        self
     }
 
     /// On this side of the place.

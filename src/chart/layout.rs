@@ -27,6 +27,8 @@ pub(super) struct Plot<'a> {
     pub y_ticks: Vec<Tick>,
     /// Whether the labels of the axes are shown: in small multiples only at the outer edges.
     pub labelled: (bool, bool),
+    /// The title in lines that fit.
+    pub title: Vec<Rich>,
     /// The top of the title, and the left edge of the cell, in units.
     pub head: (f64, f64),
     pub extent: Extent,
@@ -50,6 +52,8 @@ struct Frame {
     right: f64,
     /// The width of a plot.
     width: f64,
+    /// Lines of the longest title.
+    lines: usize,
     /// Titles and the y axes' titles.
     head: f64,
     /// Room for x labels where they are shown.
@@ -102,7 +106,10 @@ fn direct(chart: &Chart, width: f64) -> (bool, Option<f64>) {
             | Layer::Bars(super::Bars { label: Some(_), .. })
             | Layer::Band(super::Band { label: Some(_), .. })
             | Layer::Area(super::Area { label: Some(_), .. })
-            | Layer::ErrorBars(super::ErrorBars { label: Some(_), .. }) => others = true,
+            | Layer::ErrorBars(super::ErrorBars { label: Some(_), .. })
+            | Layer::Boxes(super::Boxes { label: Some(_), .. })
+            | Layer::Disks(super::Disks { label: Some(_), .. })
+            | Layer::Segments(super::Segments { label: Some(_), .. }) => others = true,
             _ => {}
         }
     }
@@ -139,7 +146,8 @@ impl Frame {
         };
         let left = panels.iter().zip(windows).map(widest).fold(2.0, f64::max);
         let left = (left, if joined { 2.0 } else { left });
-        let right = direct.unwrap_or(if square { 4.0 } else { 14.0 });
+        let rug = if panels.iter().any(|panel| panel.rug) { draw::RUG } else { 4.0 };
+        let right = direct.unwrap_or(if square { rug } else { 14.0 });
         let others = (columns - 1) as f64;
         let room = sheet - left.0 - left.1 * others - right * columns as f64 - GAP * others;
         let mut width = room / columns as f64;
@@ -153,13 +161,23 @@ impl Frame {
             width = width.min(tallest / ratio(panel, window, columns)).max(NARROWEST);
         }
         let any = |has: fn(&Panel) -> bool| panels.iter().any(has);
-        let head = if any(|p| p.title.is_some()) { 22.0 } else { 0.0 }
+        let lines = panels.iter().map(|panel| titled(panel, width).len()).max().unwrap_or(0);
+        let head = if lines > 0 { 22.0 + draw::TITLE * (lines - 1) as f64 } else { 0.0 }
+            + if any(|p| p.rug) { draw::RUG - 2.0 } else { 0.0 }
             + if any(|p| !p.y.title.is_empty()) { 22.0 } else { 0.0 };
         let foot =
             if any(|p| !p.x.hidden) { 24.0 } else { 2.0 } + if any(|p| !p.x.title.is_empty()) { 20.0 } else { 0.0 };
-        Ok(Self { columns, left, right, width, head: head + 8.0, foot })
+        Ok(Self { columns, left, right, width, lines, head: head + 8.0, foot })
     }
 }
+
+/// The title of a panel in lines no wider than the plot and the space beside it.
+fn titled(panel: &Panel, width: f64) -> Vec<Rich> {
+    panel.title.iter().flat_map(|title| title.wrapped((width + GAP - 4.0) * BOLD)).collect()
+}
+
+/// Bold letters are wider than the widths of labels.
+const BOLD: f64 = 0.95;
 
 /// How many times a plot is as high as wide.
 fn ratio(panel: &Panel, window: &Window, columns: usize) -> f64 {
@@ -221,8 +239,11 @@ impl<'a> Cells<'a> {
         let rect = Rect { left, top, right: left + hundredths(frame.width), bottom: top + hundredths(height) };
         let x_ticks = fitting(panel, &window, frame.width);
         let y_ticks = panel.y.ticks(window.y, label_count(height, 44.0));
-        let (direct, ruled, head) = (self.direct, self.ruled, (y, cell));
-        Plot { panel, index, rect, window, x_ticks, y_ticks, labelled, head, extent, direct, ruled }
+        let (direct, ruled) = (self.direct, self.ruled);
+        let title = titled(panel, frame.width);
+        // A title of fewer lines than its neighbours' stands right above its panel.
+        let head = (y + draw::TITLE * (frame.lines - title.len()) as f64, cell);
+        Plot { panel, title, index, rect, window, x_ticks, y_ticks, labelled, head, extent, direct, ruled }
     }
 }
 
@@ -256,7 +277,7 @@ fn write(sheet: &Sheet, plots: &[Plot<'_>], rows: &[Vec<Entry>], height: f64) ->
     {
         let page = Page::new(&mut svg, size);
         let left = plots.first().map_or(0.0, |plot| f64::from(plot.rect.left) / backend::UNIT);
-        legend::draw(rows, left, &page)?;
+        legend::draw(rows, left, sheet.width, &page)?;
         for plot in plots {
             draw::plot(plot, &page)?;
         }

@@ -43,8 +43,11 @@ impl Entry {
             Layer::Bars(bars) => (&bars.label, bars.style, Swatch::Block),
             Layer::Band(band) => (&band.label, band.style, Swatch::Block),
             Layer::Area(area) => (&area.label, area.style, Swatch::Block),
+            Layer::Boxes(boxes) => (&boxes.label, boxes.style, Swatch::Block),
+            Layer::Disks(disks) => (&disks.label, disks.style, Swatch::Block),
+            Layer::Segments(lines) => (&lines.label, lines.style, Swatch::Line { width: lines.width, marked: false }),
             // These carry their names where they are.
-            Layer::Rule(_) | Layer::Region(_) | Layer::Note(_) => return None,
+            Layer::Rule(_) | Layer::Region(_) | Layer::Image(_) | Layer::Note(_) => return None,
         };
         Some(Self { label: label.clone()?, style, swatch })
     }
@@ -88,8 +91,10 @@ pub(super) fn height(rows: &[Vec<Entry>]) -> f64 {
     if rows.is_empty() { 0.0 } else { ROW * rows.len() as f64 + 8.0 }
 }
 
-/// Draws the rows from `left` on, at the top of the sheet.
-pub(super) fn draw(rows: &[Vec<Entry>], left: f64, page: &Page<'_>) -> Result<(), ChartError> {
+/// Draws the rows from `left` on, or from further left where they would not fit in `width`, at the top of the sheet.
+pub(super) fn draw(rows: &[Vec<Entry>], left: f64, width: f64, page: &Page<'_>) -> Result<(), ChartError> {
+    let long = |row: &Vec<Entry>| row.iter().map(|entry| entry.width() + GAP).sum::<f64>() - GAP;
+    let left = left.min(width - rows.iter().map(long).fold(0.0, f64::max)).max(0.0);
     for (index, row) in rows.iter().enumerate() {
         let y = ROW * (index as f64 + 0.5);
         let mut x = left;

@@ -9,7 +9,9 @@
 mod axis;
 mod backend;
 mod direct;
+mod disk;
 mod draw;
+mod drawing;
 mod error;
 mod geometry;
 mod layer;
@@ -19,20 +21,27 @@ pub mod number;
 mod paint;
 pub mod palette;
 mod panel;
+mod picture;
 mod resolve;
 mod shape;
+mod stepper;
 pub mod strata;
 mod table;
 mod text;
 mod ticks;
 
 pub use axis::Axis;
+
+pub use disk::{Boxes, Disks, Segments};
+pub use drawing::Drawing;
 pub use error::ChartError;
-pub use layer::{Area, Band, Bars, Corner, ErrorBars, Layer, Line, Marks, Note, Region, Rule};
+pub use layer::{Area, Band, Bars, Corner, ErrorBars, Image, Layer, Line, Marks, Note, Region, Rule};
 pub use palette::{Dash, Marker, Role, Style};
 pub use panel::{Chart, Key, Panel};
+pub use picture::{Picture, Pictures};
+pub use stepper::{KeyStep, MOST_STEPS, Stepper, Steps};
 pub use strata::Strata;
-pub use table::{Align, Cell, Column, Drawing, Table};
+pub use table::{Align, Cell, Column, Table};
 pub use text::Rich;
 
 /// What a drawing is told from outside: whose it is, its words, and how wide it may be.

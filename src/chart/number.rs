@@ -24,6 +24,12 @@ pub fn fixed(value: f64, places: usize) -> String {
     out
 }
 
+/// `value` with as many decimals as it needs, at most three.
+pub fn shortest(value: f64) -> String {
+    let exact = |places: &usize| format!("{value:.places$}").parse() == Ok(value);
+    fixed(value, (0..3).find(exact).unwrap_or(3))
+}
+
 /// An integer with thin spaces.
 pub fn integer(value: i64) -> String {
     let digits = grouped(&value.unsigned_abs().to_string());
@@ -100,6 +106,7 @@ mod tests {
         assert_eq!(fixed(-0.5, 2), "−0.50");
         assert_eq!(fixed(-0.001, 2), "0.00");
         assert_eq!(fixed(12345.6, 1), "12\u{2009}345.6");
+        assert_eq!([-0.5, -1.0, -0.75, 1.0 / 3.0].map(shortest), ["−0.5", "−1", "−0.75", "0.333"]);
         assert_eq!(integer(-1_048_576), "−1\u{2009}048\u{2009}576");
         assert_eq!(integer(1024), "1024");
         assert_eq!(significant(0.001_234_56, 3), "0.00123");

@@ -10,7 +10,7 @@ use super::resolve::{between, positions, rectangles, under};
 use super::shape::{Ink, Kind, Shape};
 use super::strata::{self, Strata};
 use super::text::Rich;
-use super::{ChartError, Corner, ErrorBars, Layer, Line, Marks, Note, Region, Rule};
+use super::{Boxes, ChartError, Corner, Disks, ErrorBars, Image, Layer, Line, Marks, Note, Region, Rule, Segments};
 use plotters::element::{PathElement, Rectangle};
 use plotters_backend::text_anchor::{HPos, VPos};
 
@@ -55,7 +55,11 @@ impl<'p> Painter<'p, '_> {
             }
             Layer::Rule(rule) => self.rule(rule),
             Layer::Region(region) => self.region(region),
+            Layer::Image(image) => self.image(image),
             Layer::Note(note) => self.note(note),
+            Layer::Disks(disks) => self.disks(disks),
+            Layer::Segments(segments) => self.segments(segments),
+            Layer::Boxes(boxes) => self.boxes(boxes),
         }
     }
 
@@ -93,7 +97,7 @@ impl<'p> Painter<'p, '_> {
         let places = positions(&marks.points, panel.x.scale, panel.y.scale);
         let on = |p: &(f64, f64)| self.plot.window.contains(*p);
         let points: Vec<(f64, f64)> = places.iter().flatten().copied().filter(on).collect();
-        let size = marks.size.unwrap_or_else(|| size(points.len(), self.side()));
+        let size = marks.size.unwrap_or_else(|| size(points.len().max(marks.among), self.side()));
         let points = if panel.square { self.inside(points) } else { points };
         for (place, name) in places.iter().zip(&marks.names) {
             let Some(place) = place.filter(on) else { continue };
@@ -104,8 +108,66 @@ impl<'p> Painter<'p, '_> {
         }
         let diameter = (size.clamp(0.3, 40.0) * UNIT).round() as i32;
         // Shapes tell small series apart; of many marks they would only blur the pattern.
-        let marker = if places.len() > 300 { Marker::Disc } else { marks.style.marker };
-        self.shape(points, Kind::Marks(marker, diameter, marks.style.role))
+        let marker = if places.len().max(marks.among) > 300 { Marker::Disc } else { marks.style.marker };
+        let kind = Kind::Marks(marker, diameter, marks.style.role);
+        let Some(name) = marks.tracked else { return self.shape(points, kind) };
+        for (index, point) in points.into_iter().enumerate() {
+            let key = format!("{}-{name}-{index}", self.plot.index);
+            self.shape(vec![point], Kind::Tracked(key, Box::new(kind.clone())))?;
+        }
+        Ok(())
+    }
+
+    fn disks(&mut self, disks: &Disks) -> Result<(), ChartError> {
+        let (panel, rect, window) = (self.plot.panel, self.plot.rect, self.plot.window);
+        let centres: Vec<_> = positions(&disks.points, panel.x.scale, panel.y.scale).into_iter().flatten().collect();
+        let length = |(low, high): (f64, f64), pixels: i32| {
+            let length = disks.radius * f64::from(pixels) / (high - low);
+            if length.is_finite() { length.clamp(0.0, 1e7).round() as i32 } else { 0 }
+        };
+        let radii = (length(window.x, rect.right - rect.left), length(window.y, rect.bottom - rect.top));
+        let Style { role, dash, .. } = disks.style;
+        let ink = Ink::new(role, 1.0).dash(dash);
+        if disks.opacity > 0.0 {
+            let ink = ink.opacity(disks.opacity);
+            self.shape(centres.clone(), Kind::Disks { radii, rect, ink, filled: true })?;
+        }
+        self.shape(centres, Kind::Disks { radii, rect, ink, filled: false })
+    }
+
+    fn segments(&mut self, segments: &Segments) -> Result<(), ChartError> {
+        let panel = self.plot.panel;
+        let line = segments.segments.iter().flat_map(|ends| {
+            let places = positions(ends, panel.x.scale, panel.y.scale);
+            std::iter::once(None).chain(places)
+        });
+        let lines = Lines::clipped(line, &self.plot.window);
+        let Style { role, dash, .. } = segments.style;
+        let ink = Ink::new(role, segments.width).dash(dash).opacity(segments.opacity);
+        let Some(name) = segments.tracked else { return self.shape(lines.points, Kind::Stroke(lines.ends, ink)) };
+        let starts = std::iter::once(0).chain(lines.ends.iter().copied()).zip(&lines.ends).map(|(start, _)| start);
+        for (index, point) in starts.filter_map(|start| lines.points.get(start)).enumerate() {
+            let key = format!("{}-{name}-{index}", self.plot.index);
+            self.shape(vec![*point], Kind::Tracked(key, Box::new(Kind::Stroke(vec![1], ink))))?;
+        }
+        Ok(())
+    }
+
+    fn boxes(&mut self, boxes: &Boxes) -> Result<(), ChartError> {
+        let (panel, window) = (self.plot.panel, self.plot.window);
+        let inside = |v: f64, (low, high): (f64, f64)| v.clamp(low, high);
+        let body = |corners: &[(f64, f64); 2]| {
+            let places = positions(corners, panel.x.scale, panel.y.scale);
+            let [Some(a), Some(b)] = places[..] else { return None };
+            let [a, b] = [a, b].map(|p| (inside(p.0, window.x), inside(p.1, window.y)));
+            (a.0 != b.0 && a.1 != b.1).then(|| [a, (b.0, a.1), b, (a.0, b.1), a])
+        };
+        let bodies: Vec<[(f64, f64); 5]> = boxes.boxes.iter().filter_map(body).collect();
+        let ends: Vec<usize> = (1..=bodies.len()).map(|index| index * 5).collect();
+        let points = bodies.into_flattened();
+        let ink = Ink::new(boxes.style.role, 1.25).dash(boxes.style.dash);
+        self.shape(points.clone(), Kind::Fill(ends.clone(), ink.opacity(boxes.opacity)))?;
+        self.shape(points, Kind::Stroke(ends, ink))
     }
 
     /// The points of a unit square where they are strictly inside their strata as written.
@@ -227,6 +289,16 @@ impl<'p> Painter<'p, '_> {
         self.page.text(label, at, (HPos::Left, VPos::Top), Role::Ink, false)
     }
 
+    /// A picture is drawn whole or, where it reaches beyond the axes, not at all: it cannot be cut.
+    fn image(&mut self, image: &Image) -> Result<(), ChartError> {
+        let corners = positions(&[image.from, image.to], self.plot.panel.x.scale, self.plot.panel.y.scale);
+        let [Some(a), Some(b)] = corners[..] else { return Ok(()) };
+        if !(self.plot.window.contains(a) && self.plot.window.contains(b)) {
+            return Err(ChartError::Drawing("a picture reaches beyond the axes".to_owned()));
+        }
+        self.shape(vec![a, b], Kind::Image(image.png.base64()))
+    }
+
     fn note(&mut self, note: &Note) -> Result<(), ChartError> {
         let place = positions(&[note.at], self.plot.panel.x.scale, self.plot.panel.y.scale);
         let Some(Some(place)) = place.first().filter(|p| p.is_some_and(|p| self.plot.window.contains(p))) else {
@@ -239,10 +311,19 @@ impl<'p> Painter<'p, '_> {
             Corner::AboveLeft => ((x - 5.0, y - 5.0), (HPos::Right, VPos::Bottom)),
             Corner::BelowRight => ((x + 5.0, y + 6.0), (HPos::Left, VPos::Top)),
             Corner::BelowLeft => ((x - 5.0, y + 6.0), (HPos::Right, VPos::Top)),
+            Corner::Above => ((x, y - 5.0), (HPos::Center, VPos::Bottom)),
+            Corner::Below => ((x, y + 6.0), (HPos::Center, VPos::Top)),
             Corner::Centre => ((x, y), (HPos::Center, VPos::Center)),
         };
         self.drawn += 1;
-        self.page.text(&note.text, at, anchor, Role::Ink, false)
+        let kind = Kind::Text { text: note.text.clone(), anchor, role: note.role, bold: note.bold };
+        self.page.shape(
+            &[at],
+            match &note.tracked {
+                Some(name) => Kind::Tracked(format!("{}-{name}", self.plot.index), Box::new(kind)),
+                None => kind,
+            },
+        )
     }
 
     /// The names at the ends of lines, with leaders where they had to move.

@@ -48,10 +48,22 @@ pub enum Role {
     Slate,
     /// A series: olive.
     Olive,
+    /// The first of six steps of an order, from light to strong.
+    Step1,
+    /// The second step.
+    Step2,
+    /// The third step.
+    Step3,
+    /// The fourth step.
+    Step4,
+    /// The fifth step.
+    Step5,
+    /// The last step.
+    Step6,
 }
 
 /// Each role with its name in CSS, its light and its dark colour.
-const COLOURS: [(Role, &str, &str, &str); 20] = [
+const COLOURS: [(Role, &str, &str, &str); 26] = [
     (Role::Ink, "ink", "#1c1f24", "#e8e6e1"),
     (Role::Axis, "axis", "#565b63", "#aab0b8"),
     (Role::Grid, "grid", "#e3e5e8", "#33383f"),
@@ -72,9 +84,18 @@ const COLOURS: [(Role, &str, &str, &str); 20] = [
     (Role::Wine, "wine", "#7d1d4f", "#e9789f"),
     (Role::Slate, "slate", "#46586b", "#9fb4c9"),
     (Role::Olive, "olive", "#66701a", "#bcc75a"),
+    (Role::Step1, "step1", "#c9a227", "#5a4fa3"),
+    (Role::Step2, "step2", "#7fa03a", "#4f79b8"),
+    (Role::Step3, "step3", "#2f9468", "#3aa0b5"),
+    (Role::Step4, "step4", "#1f7d8c", "#3dbd93"),
+    (Role::Step5, "step5", "#2f5597", "#93d160"),
+    (Role::Step6, "step6", "#3b1d6e", "#f3e34c"),
 ];
 
 impl Role {
+    /// The steps of an order: their lightness falls evenly on a white page and rises on a dark one.
+    pub const STEPS: [Self; 6] = [Self::Step1, Self::Step2, Self::Step3, Self::Step4, Self::Step5, Self::Step6];
+
     /// Every role, in the order of the palette.
     pub fn all() -> impl Iterator<Item = Self> {
         COLOURS.iter().map(|row| row.0)

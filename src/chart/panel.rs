@@ -55,6 +55,20 @@ impl Chart {
         self
     }
 
+    /// Without what marks and notes are tracked as: a frame that stands by itself.
+    #[must_use]
+    pub(super) fn still(mut self) -> Self {
+        for layer in self.panels.iter_mut().flat_map(|panel| &mut panel.layers) {
+            match layer {
+                Layer::Marks(marks) => marks.tracked = None,
+                Layer::Note(note) => note.tracked = None,
+                Layer::Segments(segments) => segments.tracked = None,
+                _ => {}
+            }
+        }
+        self
+    }
+
     /// The figure on `sheet`.
     pub fn draw(&self, sheet: &Sheet) -> Result<Figure, ChartError> {
         layout::draw(self, sheet)
@@ -73,6 +87,7 @@ pub struct Panel {
     pub(super) ratio: Option<f64>,
     pub(super) equal: bool,
     pub(super) square: bool,
+    pub(super) rug: bool,
 }
 
 impl Panel {
@@ -88,6 +103,7 @@ impl Panel {
             ratio: None,
             equal: false,
             square: false,
+            rug: false,
         }
     }
 
@@ -129,6 +145,13 @@ impl Panel {
     #[must_use]
     pub fn keeping(mut self, strata: Strata) -> Self {
         self.kept.push(strata);
+        self
+    }
+
+    /// With a tick above and at the right of the frame for each mark's coordinates: the projections of a point set.
+    #[must_use]
+    pub fn rug(mut self) -> Self {
+        self.rug = true;
         self
     }
 

@@ -89,6 +89,10 @@ impl Extent {
                 self.point(region.from, sx, sy);
                 self.point(region.to, sx, sy);
             }
+            Layer::Image(image) => {
+                self.point(image.from, sx, sy);
+                self.point(image.to, sx, sy);
+            }
             Layer::Rule(rule) => {
                 let (scale, span) = if rule.vertical { (sx, &mut self.x) } else { (sy, &mut self.y) };
                 match scale.position(rule.at) {
@@ -99,6 +103,15 @@ impl Extent {
                     None => self.miss(rule.at),
                 }
             }
+            Layer::Disks(disks) => {
+                let r = disks.radius;
+                disks.points.iter().for_each(|&(x, y)| {
+                    self.point((x - r, y - r), sx, sy);
+                    self.point((x + r, y + r), sx, sy);
+                });
+            }
+            Layer::Segments(lines) => lines.segments.iter().flatten().for_each(|&p| self.point(p, sx, sy)),
+            Layer::Boxes(boxes) => boxes.boxes.iter().flatten().for_each(|&p| self.point(p, sx, sy)),
             Layer::Note(_) => {}
         }
     }

@@ -1,6 +1,8 @@
 //! Elements for plotters: series of lines, of fills and of marks, each one path; and rich text.
 
 use super::backend::{Backend, Drawn, pair, polyline};
+use super::disk;
+use super::layout::Rect;
 use super::palette::{Dash, Marker, Role};
 use super::text::Rich;
 use plotters::element::{Drawable, PointCollection};
@@ -58,6 +60,12 @@ pub(super) enum Kind {
     Fill(Vec<usize>, Ink),
     /// Marks of a diameter in hundredths.
     Marks(Marker, i32, Role),
+    /// A PNG in Base64 between two opposite corners.
+    Image(String),
+    /// Disks of these radii in hundredths, cut off at a panel's border, filled or outlined.
+    Disks { radii: (i32, i32), rect: Rect, ink: Ink, filled: bool },
+    /// Another kind that moves in a stepper as the element of this key: written at the origin and then moved to each point.
+    Tracked(String, Box<Kind>),
     /// Text at each point: one.
     Text { text: Rich, anchor: (HPos, VPos), role: Role, bold: bool },
 }
@@ -80,11 +88,39 @@ impl<'a, C: 'a> PointCollection<'a, (C, C)> for &'a Shape<C> {
 
 impl<C> Drawable<Backend<'_>> for Shape<C> {
     fn draw<I: Iterator<Item = BackendCoord>>(&self, at: I, backend: &mut Backend<'_>, _: (u32, u32)) -> Drawn {
-        match &self.kind {
-            Kind::Stroke(ends, ink) => backend.stroke(&pieces(at, ends, false), *ink),
-            Kind::Fill(ends, ink) => backend.fill(&pieces(at, ends, true), ink.role, ink.opacity, false),
-            Kind::Marks(marker, size, role) => marks(at, *marker, *size, *role, backend),
-            Kind::Text { text, anchor, role, bold } => {
+        self.kind.draw(&mut { at }, backend)
+    }
+}
+
+impl Kind {
+    /// Draws the kind at places in hundredths.
+    fn draw(&self, at: &mut dyn Iterator<Item = BackendCoord>, backend: &mut Backend<'_>) -> Drawn {
+        match self {
+            Self::Stroke(ends, ink) => backend.stroke(&pieces(at, ends, false), *ink),
+            Self::Fill(ends, ink) => backend.fill(&pieces(at, ends, true), ink.role, ink.opacity, false),
+            Self::Marks(marker, size, role) => marks(at, *marker, *size, *role, backend),
+            Self::Image(data) => {
+                let at: Vec<BackendCoord> = at.collect();
+                if let [from, to] = at[..] { backend.image(data, from, to) } else { Ok(()) }
+            }
+            Self::Disks { radii, rect, ink, filled } => {
+                let mut data = String::new();
+                at.for_each(|at| disk::outline(at, *radii, *rect, *filled, &mut data));
+                match (data.is_empty(), filled) {
+                    (true, _) => Ok(()),
+                    (_, true) => backend.fill(&data, ink.role, ink.opacity, false),
+                    (_, false) => backend.stroke(&data, *ink),
+                }
+            }
+            Self::Tracked(key, kind) => {
+                for place in at {
+                    backend.tracked = Some((key.clone(), place));
+                    kind.draw(&mut [(0, 0)].into_iter(), backend)?;
+                    backend.tracked = None;
+                }
+                Ok(())
+            }
+            Self::Text { text, anchor, role, bold } => {
                 for at in at {
                     backend.text(text, at, *anchor, *role, *bold)?;
                 }

@@ -1,37 +1,6 @@
-//! What a kind gives to be shown: a figure, or a table whose typed cells keep their numbers. Turning it into HTML is `render`'s.
+//! Tables, whose typed cells keep their numbers. Turning them into HTML is `render`'s.
 
-use super::{Figure, number};
-
-/// What a kind draws.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Drawing {
-    /// An SVG.
-    Figure(Figure),
-    /// A table.
-    Table(Table),
-}
-
-impl From<Figure> for Drawing {
-    fn from(figure: Figure) -> Self {
-        Self::Figure(figure)
-    }
-}
-
-impl From<Table> for Drawing {
-    fn from(table: Table) -> Self {
-        Self::Table(table)
-    }
-}
-
-impl Drawing {
-    /// Everything of it that a reader can see, as text: what the lock's digest of a drawing covers.
-    pub fn text(&self) -> String {
-        match self {
-            Self::Figure(figure) => figure.svg.clone(),
-            Self::Table(table) => table.text(),
-        }
-    }
-}
+use super::number;
 
 /// How a column stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,12 +59,24 @@ pub enum Cell {
     Math(String),
     /// A literal, such as digits in a base.
     Code(String),
+    /// Whether something holds: a drawn tick or cross, and the words beside it.
+    Holds {
+        /// Whether it does.
+        holds: bool,
+        /// The words: `yes`, or in how many cases.
+        text: String,
+    },
 }
 
 impl Cell {
     /// Plain words.
     pub fn text(text: impl Into<String>) -> Self {
         Self::Text(text.into())
+    }
+
+    /// Whether something holds, as yes or no.
+    pub fn holds(holds: bool) -> Self {
+        Self::Holds { holds, text: if holds { "yes" } else { "no" }.to_owned() }
     }
 
     /// A number with so many decimals.
@@ -122,7 +103,11 @@ impl Cell {
     pub fn printed(&self) -> String {
         match self {
             Self::Empty => String::new(),
-            Self::Text(text) | Self::Math(text) | Self::Code(text) | Self::Decimal { text, .. } => text.clone(),
+            Self::Text(text)
+            | Self::Math(text)
+            | Self::Code(text)
+            | Self::Decimal { text, .. }
+            | Self::Holds { text, .. } => text.clone(),
             Self::Integer(value) => number::integer(*value),
         }
     }

@@ -85,6 +85,48 @@ impl Rich {
         self.runs.iter().map(run).sum::<f64>() * SLACK
     }
 
+    /// The label in lines no wider than `width`, broken at spaces; a single word may be wider.
+    pub(super) fn wrapped(&self, width: f64) -> Vec<Self> {
+        let mut lines = vec![Self::default()];
+        let mut word = Self::default();
+        let place = |word: &mut Self, lines: &mut Vec<Self>| {
+            let word = std::mem::take(word);
+            if let Some(line) = lines.last_mut() {
+                let joined = line.joined(&word);
+                if line.is_empty() || joined.clone().trimmed().width() <= width {
+                    *line = joined
+                } else {
+                    lines.push(word)
+                }
+            }
+        };
+        for run in &self.runs {
+            for c in run.text.chars() {
+                word.push(c, run.italic, run.level);
+                if c == ' ' {
+                    place(&mut word, &mut lines);
+                }
+            }
+        }
+        place(&mut word, &mut lines);
+        lines.into_iter().map(|line| line.trimmed()).collect()
+    }
+
+    /// This and `other` behind it.
+    fn joined(&self, other: &Self) -> Self {
+        let mut joined = self.clone();
+        other.runs.iter().for_each(|run| run.text.chars().for_each(|c| joined.push(c, run.italic, run.level)));
+        joined
+    }
+
+    /// Without the spaces at the end.
+    fn trimmed(mut self) -> Self {
+        if let Some(last) = self.runs.last_mut() {
+            last.text.truncate(last.text.trim_end().len());
+        }
+        self
+    }
+
     /// Appends the elements and text of SVG.
     pub(super) fn write(&self, out: &mut String) {
         let mut lowered = 0.0;
@@ -210,6 +252,18 @@ mod tests {
         Rich::plain("3*x^{2}_").write(&mut out);
         assert_eq!(out, "3*x^{2}_");
         assert_eq!(svg("3\\*x^2"), "3*x^2");
+    }
+
+    #[test]
+    fn long_titles_are_broken_at_spaces() {
+        let title = Rich::new("Halton with random permutations, *N* = 16");
+        let lines = title.wrapped(120.0);
+        assert!(lines.len() > 1 && lines.iter().all(|line| line.width() <= 120.0));
+        let text = |line: &Rich| line.runs.iter().map(|run| run.text.as_str()).collect::<String>();
+        let words: Vec<String> = lines.iter().map(text).collect();
+        assert_eq!(words.join(" "), "Halton with random permutations, N = 16");
+        assert_eq!(title.wrapped(1000.0), vec![title]);
+        assert_eq!(Rich::new("unbreakable").wrapped(1.0).len(), 1);
     }
 
     #[test]

@@ -13,6 +13,7 @@ use crate::integrands::INTEGRANDS;
 use crate::kinds::{self, KINDS};
 use crate::metrics::METRICS;
 use crate::samplers::{Preset, SAMPLERS, Sampler, Setting};
+use crate::scenes::SCENES;
 use crate::scrambles::SCRAMBLES;
 
 #[derive(Args)]
@@ -32,6 +33,7 @@ enum Catalogue {
     Samplers,
     Scrambles,
     Integrands,
+    Scenes,
     Metrics,
     Kinds,
     Exhibits,
@@ -52,6 +54,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
         Catalogue::Samplers => SAMPLERS.iter().map(|entry| entry.about()).collect(),
         Catalogue::Scrambles => SCRAMBLES.iter().map(|entry| entry.about()).collect(),
         Catalogue::Integrands => INTEGRANDS.iter().map(|entry| entry.about()).collect(),
+        Catalogue::Scenes => SCENES.iter().map(|entry| entry.about()).collect(),
         Catalogue::Metrics => METRICS.iter().map(|entry| entry.about()).collect(),
         Catalogue::Kinds => KINDS.iter().map(|entry| entry.about()).collect(),
         Catalogue::Exhibits => return exhibits(options),

@@ -60,7 +60,7 @@ struct Options {
     timings: bool,
 }
 
-/// How diagnostics, and the points of `workbook points`, are written.
+/// How diagnostics are written, and what some commands print.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
     /// With the source line and the place marked
@@ -69,8 +69,12 @@ enum Format {
     Json,
     /// As annotations of a workflow on a forge
     Github,
-    /// A point a line, with commas
+    /// A row a line, with commas
     Csv,
+    /// With the columns aligned
+    Table,
+    /// As a drawing
+    Svg,
     /// A NumPy array, shape (n, d), 64-bit floats
     Npy,
 }

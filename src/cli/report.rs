@@ -18,9 +18,9 @@ pub(super) fn diagnostics(found: &[Diagnostic], workspace: &Workspace, options: 
     let mut text = String::new();
     for diagnostic in sorted {
         text.push_str(&match options.format {
-            Format::Human | Format::Csv | Format::Npy => human(diagnostic, workspace),
             Format::Json => json_line(diagnostic, workspace),
             Format::Github => github(diagnostic, workspace),
+            _ => human(diagnostic, workspace),
         });
         text.push('\n');
     }

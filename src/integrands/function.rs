@@ -100,6 +100,14 @@ impl Function {
         }
     }
 
+    /// Its variation in the sense of Hardy and Krause over the cube of `d` dimensions, where the catalogue knows it.
+    pub fn variation(&self, d: usize) -> Option<f64> {
+        match &self.form {
+            Form::Catalogued(integrand) => integrand.variation(d),
+            Form::Written(_) => None,
+        }
+    }
+
     /// What the catalogued integrand tells about itself; nothing for an expression.
     pub fn abouts(&self) -> Vec<&'static About> {
         match &self.form {

@@ -5,11 +5,12 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::radical::{Row, sampler};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::parameters::parameters;
-use crate::samplers::{Method, halton, van_der_corput};
+use crate::samplers::Method;
 use crate::seed::Seed;
 
 /// The kind `van-der-corput-table`.
@@ -43,19 +44,6 @@ pub struct Data {
     rows: Vec<Row>,
 }
 
-/// One index and its radical inverse.
-#[derive(Debug, Serialize, Deserialize)]
-struct Row {
-    index: u64,
-    digits: String,
-    reflected: String,
-    /// The exact radical inverse, in lowest terms.
-    numerator: u64,
-    denominator: u64,
-    /// The radical inverse as the sampler computes it.
-    phi: f64,
-}
-
 impl Kind for VanDerCorputTableKind {
     type Parameters = VanDerCorputTable;
     type Data = Data;
@@ -67,8 +55,7 @@ impl Kind for VanDerCorputTableKind {
     fn check(&self, _: &VanDerCorputTable, _: &mut Problems<'_, '_>) {}
 
     fn uses(&self, p: &VanDerCorputTable) -> Vec<&'static About> {
-        let sampler = if p.base == 2 { "van-der-corput" } else { "halton" };
-        Method::parse(sampler).map(|method| method.abouts()).unwrap_or_default()
+        Method::parse(sampler(p.base)).map(|method| method.abouts()).unwrap_or_default()
     }
 
     fn weight(&self, p: &VanDerCorputTable) -> u64 {
@@ -76,7 +63,7 @@ impl Kind for VanDerCorputTableKind {
     }
 
     fn run(&self, p: &VanDerCorputTable, _: Seed) -> Result<Data, Failure> {
-        Ok(Data { rows: (1..=p.n as u64).map(|index| row(index, p.base as u64)).collect() })
+        Ok(Data { rows: (1..=p.n as u64).map(|index| Row::new(index, p.base as u64)).collect() })
     }
 
     fn values(&self, p: &VanDerCorputTable, data: &Data) -> Values {
@@ -85,7 +72,7 @@ impl Kind for VanDerCorputTableKind {
         for row in &data.rows {
             values.number(format!("phi.{}", row.index), row.phi);
         }
-        values.boolean("agrees", data.rows.iter().all(|row| row.phi == row.numerator as f64 / row.denominator as f64));
+        values.boolean("agrees", data.rows.iter().all(Row::agrees));
         values
     }
 
@@ -108,38 +95,6 @@ impl Kind for VanDerCorputTableKind {
     fn alt(&self, p: &VanDerCorputTable, data: &Data) -> Option<String> {
         drawing::alt(p, data)
     }
-}
-
-/// The row of `index` in `base`.
-fn row(index: u64, base: u64) -> Row {
-    let mut digits = Vec::new();
-    let (mut rest, mut numerator, mut denominator) = (index, 0, 1);
-    while rest > 0 {
-        let digit = rest % base;
-        digits.push(char::from_digit(digit as u32, base as u32).unwrap_or('?'));
-        numerator = numerator * base + digit;
-        denominator *= base;
-        rest /= base;
-    }
-    let reflected = format!(".{}", digits.iter().collect::<String>());
-    let digits = digits.iter().rev().collect();
-    let common = common_divisor(numerator, denominator);
-    let (numerator, denominator) = (numerator / common, denominator / common);
-    Row { index, digits, reflected, numerator, denominator, phi: phi(index, base) }
-}
-
-/// The radical inverse as the samplers compute it.
-fn phi(index: u64, base: u64) -> f64 {
-    if base == 2 { van_der_corput::bit_reversal(index) } else { halton::radical_inverse(index, base as u32) }
-}
-
-/// The greatest common divisor (Euclid); at least 1.
-fn common_divisor(a: u64, b: u64) -> u64 {
-    let (mut a, mut b) = (a, b);
-    while b > 0 {
-        (a, b) = (b, a % b);
-    }
-    a.max(1)
 }
 
 mod drawing {

@@ -27,12 +27,14 @@
 //! assert!((star(&points) - (1.0_f64 / 12.0).sqrt()).abs() < 1e-16);
 //! ```
 
+#![expect(clippy::inline_always, reason = "a function of its own would be compiled without the wide registers")]
+
 use super::{Measured, Metric, Unmeasured};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::stats::moments::{Sum, sum};
 use crate::stats::portable::power;
-use multiversion::multiversion;
+use crate::vectors::vectorised;
 
 /// The measure `l2-star`.
 pub struct L2Star;
@@ -121,7 +123,7 @@ impl Metric for WrapAround {
 pub fn star(points: &Points) -> f64 {
     let (n, d) = (points.len() as f64, points.dimensions() as i32);
     let single = sum(points.rows().map(|x| x.iter().map(|x| 0.5 * (1.0 - x * x)).product::<f64>()));
-    let double = if d == 2 { pairs_in_the_plane(points) } else { pairs(points, |x, y| 1.0 - x.max(y)) };
+    let double = if d == 2 { pairs_in_the_plane(points) } else { pairs(points, Corner) };
     root(power(3.0, -d) - 2.0 / n * single + double / (n * n))
 }
 
@@ -133,17 +135,14 @@ pub fn centred(points: &Points) -> f64 {
         1.0 + 0.5 * z - 0.5 * z * z
     };
     let single = sum(points.rows().map(|x| x.iter().map(factor).product::<f64>()));
-    let double = pairs(points, |x, y| 1.0 + 0.5 * ((x - 0.5).abs() + (y - 0.5).abs() - (x - y).abs()));
+    let double = pairs(points, Nearest);
     root(power(13.0 / 12.0, d) - 2.0 / n * single + double / (n * n))
 }
 
 /// The wrap-around L2 discrepancy.
 pub fn wrap_around(points: &Points) -> f64 {
     let (n, d) = (points.len() as f64, points.dimensions() as i32);
-    let double = pairs(points, |x, y| {
-        let distance = (x - y).abs();
-        1.5 - distance * (1.0 - distance)
-    });
+    let double = pairs(points, Torus);
     root(double / (n * n) - power(4.0 / 3.0, d))
 }
 
@@ -152,42 +151,124 @@ fn root(square: f64) -> f64 {
     square.max(0.0).sqrt()
 }
 
-/// The sum over all pairs, ordered, of the product over axes of the symmetric `factor`.
-fn pairs<F: Fn(f64, f64) -> f64 + Copy>(points: &Points, factor: F) -> f64 {
-    let (n, d) = (points.len(), points.dimensions());
-    // Axis by axis, so that the inner loop runs over neighbours in memory.
-    let axes: Vec<Vec<f64>> = (0..d).map(|axis| points.axis(axis).collect()).collect();
-    let mut total = Sum::default();
-    for i in 0..n {
-        // Each pair counts twice, a point with itself once.
-        let own: f64 = axes.iter().map(|axis| factor(axis[i], axis[i])).product();
-        total.add(2.0 * pairs_after(&axes, i, factor) + own);
-    }
-    total.value()
+/// The smaller; one instruction, since neither is NaN.
+#[inline(always)]
+fn least(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
 }
 
-/// The sum over the points after point i, in blocks that stay in registers; the same order of
-/// roundings on every processor.
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
-fn pairs_after<F: Fn(f64, f64) -> f64 + Copy>(axes: &[Vec<f64>], i: usize, factor: F) -> f64 {
-    let n = axes[0].len();
-    let mut lanes = [0.0; LANES];
-    let mut from = i + 1;
-    while from + LANES <= n {
-        let mut products = [1.0; LANES];
-        for axis in axes {
-            let x = axis[i];
-            for (product, y) in products.iter_mut().zip(&axis[from..from + LANES]) {
-                *product *= factor(x, *y);
-            }
-        }
-        for (lane, product) in lanes.iter_mut().zip(&products) {
-            *lane += product;
-        }
-        from += LANES;
+/// A symmetric function of two coordinates, from what can be made of each beforehand.
+trait Factor: Copy {
+    /// What is made of a coordinate.
+    fn of(self, x: f64) -> [f64; 2];
+
+    /// The factor, of what is made of both.
+    fn pair(self, a: [f64; 2], b: [f64; 2]) -> f64;
+}
+
+/// 1 - max(x, y).
+#[derive(Clone, Copy)]
+struct Corner;
+
+impl Factor for Corner {
+    fn of(self, x: f64) -> [f64; 2] {
+        [1.0 - x, 0.0]
     }
-    let rest: f64 = (from..n).map(|k| axes.iter().map(|axis| factor(axis[i], axis[k])).product::<f64>()).sum();
-    lanes.iter().sum::<f64>() + rest
+
+    #[inline(always)]
+    fn pair(self, a: [f64; 2], b: [f64; 2]) -> f64 {
+        least(a[0], b[0])
+    }
+}
+
+/// 1 + |z|/2 + |w|/2 - |z - w|/2, z = x - 1/2, w = y - 1/2: that is 1 and the smaller of |z| and
+/// |w|, or 1 if their signs differ.
+#[derive(Clone, Copy)]
+struct Nearest;
+
+impl Factor for Nearest {
+    fn of(self, x: f64) -> [f64; 2] {
+        [1.0 + (x - 0.5).max(0.0), (0.5 - x).max(0.0)]
+    }
+
+    #[inline(always)]
+    fn pair(self, a: [f64; 2], b: [f64; 2]) -> f64 {
+        least(a[0], b[0]) + least(a[1], b[1])
+    }
+}
+
+/// 3/2 - |x - y| (1 - |x - y|).
+#[derive(Clone, Copy)]
+struct Torus;
+
+impl Factor for Torus {
+    fn of(self, x: f64) -> [f64; 2] {
+        [x, 0.0]
+    }
+
+    #[inline(always)]
+    fn pair(self, a: [f64; 2], b: [f64; 2]) -> f64 {
+        let distance = (a[0] - b[0]).abs();
+        1.5 - distance * (1.0 - distance)
+    }
+}
+
+/// One axis: what is made of each coordinate, and zeros up to whole lanes.
+type Axis = [Vec<f64>; 2];
+
+/// The sum over all pairs, ordered, of the product over axes of `factor`.
+fn pairs(points: &Points, factor: impl Factor) -> f64 {
+    // Axis by axis, so that the inner loop runs over neighbours in memory.
+    let axis = |axis| {
+        [0, 1].map(|part| {
+            let mut column: Vec<f64> = points.axis(axis).map(|x| factor.of(x)[part]).collect();
+            column.resize(points.len() + LANES, 0.0);
+            column
+        })
+    };
+    all_pairs(&(0..points.dimensions()).map(axis).collect::<Vec<_>>(), points.len(), factor)
+}
+
+vectorised! {
+    /// The same, of `n` points that are prepared; the same order of roundings on every processor.
+    fn all_pairs<F: Factor>(axes: &[Axis], n: usize, factor: F) -> f64 {
+        let mut total = Sum::default();
+        for i in 0..n {
+            let mut lanes = [0.0; LANES];
+            let mut from = i + 1;
+            while from + LANES <= n {
+                let products = products(axes, i, from, factor);
+                for (lane, product) in lanes.iter_mut().zip(&products) {
+                    *lane += product;
+                }
+                from += LANES;
+            }
+            let (mut sum, mut rest) = (0.0, 0.0);
+            for product in &products(axes, i, from, factor)[..n - from] {
+                rest += product;
+            }
+            for lane in lanes {
+                sum += lane;
+            }
+            // Each pair counts twice, a point with itself once.
+            let own = products(axes, i, i, factor)[0];
+            total.add(2.0 * (sum + rest) + own);
+        }
+        total.value()
+    }
+}
+
+/// The products for point i and the points from `from` on.
+#[inline(always)]
+fn products<F: Factor>(axes: &[Axis], i: usize, from: usize, factor: F) -> [f64; LANES] {
+    let mut products = [1.0; LANES];
+    for [a, b] in axes {
+        let own = [a[i], b[i]];
+        for ((product, a), b) in products.iter_mut().zip(&a[from..from + LANES]).zip(&b[from..from + LANES]) {
+            *product *= factor.pair(own, [*a, *b]);
+        }
+    }
+    products
 }
 
 /// Pairs side by side.

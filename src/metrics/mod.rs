@@ -15,6 +15,7 @@ pub mod spectrum;
 pub mod star;
 mod star_bound;
 mod star_space;
+mod star_sweep;
 
 /// Every measure that is one number, in the order of display.
 pub static METRICS: &[&dyn Metric] = &[

@@ -28,8 +28,9 @@
 use super::{Unmeasured, check};
 use crate::points::Points;
 use crate::stats::portable;
-use multiversion::multiversion;
+use crate::vectors::vectorised;
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// The highest frequency that may be asked for.
 pub const HIGHEST: usize = 4096;
@@ -54,6 +55,12 @@ impl Spectrum {
         let column = i64::from(u) + self.reach as i64;
         let inside = (0..=2 * self.reach as i64).contains(&column) && v as usize <= self.reach;
         if inside { self.half[v as usize * (2 * self.reach + 1) + column as usize] } else { f64::NAN }
+    }
+
+    /// The spectrum of all its rows, as [`power_rows`] gives them, in their order; `None` where
+    /// their length is not that of rows 0 ..= `reach`.
+    pub fn from_rows(reach: usize, rows: Vec<f64>) -> Option<Self> {
+        (rows.len() == (reach + 1) * (2 * reach + 1)).then_some(Self { reach, half: rows })
     }
 
     /// The mean over several spectra of the same reach; `None` of none, or where they differ.
@@ -108,6 +115,13 @@ impl Ring {
 
 /// The power spectrum of points of the plane up to the frequency `reach` in both axes.
 pub fn power(points: &Points, reach: usize) -> Result<Spectrum, Unmeasured> {
+    Ok(Spectrum { reach, half: power_rows(points, reach, 0..reach + 1)? })
+}
+
+/// The rows v of the spectrum alone, those of `rows` up to the reach: P(u, v) for u = -reach ..=
+/// reach of the first row, then of the next. The same bits as all at once, so that several can
+/// share the work, and [`Spectrum::from_rows`] puts it together.
+pub fn power_rows(points: &Points, reach: usize, rows: Range<usize>) -> Result<Vec<f64>, Unmeasured> {
     check(points)?;
     let n = points.len();
     if points.dimensions() != 2 {
@@ -116,98 +130,103 @@ pub fn power(points: &Points, reach: usize) -> Result<Spectrum, Unmeasured> {
     if reach > HIGHEST {
         return Err(Unmeasured::Size { n, d: 2, limit: "frequencies go up to 4096" });
     }
-    let side = reach + 1;
-    let mut sums = [(); 4].map(|()| vec![0.0; side * side]);
-    let mut waves: Vec<[Waves; 2]> = (0..BLOCK).map(|_| [Waves::new(side), Waves::new(side)]).collect();
-    let mut rows = points.rows();
-    loop {
-        let block: Vec<&[f64]> = rows.by_ref().take(BLOCK).collect();
-        if block.is_empty() {
-            break;
+    let rows = rows.start.min(reach + 1)..rows.end.min(reach + 1);
+    let tiles = (reach + 1).div_ceil(LANES);
+    let mut sums = vec![[[0.0; LANES]; 4]; rows.len() * tiles];
+    let mut block = Block { columns: vec![Default::default(); tiles], rows: vec![Default::default(); rows.len()] };
+    for points in points.coordinates().chunks(4 * PAIRS) {
+        if points.len() < 4 * PAIRS {
+            // Places without a point add nothing.
+            block.columns.fill(Default::default());
         }
-        for (k, [columns, rows]) in waves.iter_mut().enumerate() {
-            if let Some(point) = block.get(k) {
-                columns.set(point[0]);
-                rows.set(point[1]);
-            } else {
-                // Places without a point add nothing.
-                columns.clear();
-                rows.clear();
-            }
+        for (place, point) in points.chunks_exact(2).enumerate() {
+            block.set(place, point, rows.start);
         }
-        accumulate(&mut sums, &waves, side);
+        accumulate(&mut sums, &block);
     }
-    Ok(Spectrum { reach, half: combine(&sums, reach, n as f64) })
+    Ok(combine(&sums, reach, n as f64))
 }
 
-/// Points taken together: each sum is loaded and stored once for all of them.
-const BLOCK: usize = 8;
+/// Frequencies u side by side.
+const LANES: usize = 8;
 
-/// Adds the products cos cos, sin sin, sin cos and cos sin of u x and v y, for all u, v >= 0, over
-/// the points of a block, in their order.
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
-fn accumulate(sums: &mut [Vec<f64>; 4], waves: &[[Waves; 2]], side: usize) {
-    let [cc, ss, sc, cs] = sums;
-    for v in 0..side {
-        let row = v * side..(v + 1) * side;
-        let (cc, ss, sc, cs) = (&mut cc[row.clone()], &mut ss[row.clone()], &mut sc[row.clone()], &mut cs[row]);
-        for pair in waves.chunks_exact(2) {
-            let ([a, p], [b, q]) = (&pair[0], &pair[1]);
-            let (pc, ps, qc, qs) = (p.cos[v], p.sin[v], q.cos[v], q.sin[v]);
-            let (ac, asin, bc, bsin) = (&a.cos[..side], &a.sin[..side], &b.cos[..side], &b.sin[..side]);
-            for u in 0..side {
-                cc[u] += ac[u] * pc + bc[u] * qc;
-                ss[u] += asin[u] * ps + bsin[u] * qs;
-                sc[u] += asin[u] * pc + bsin[u] * qc;
-                cs[u] += ac[u] * ps + bc[u] * qs;
-            }
-        }
+/// Pairs of points taken together: each sum is loaded and stored once for all of them.
+const PAIRS: usize = 4;
+
+/// The waves of a few points, laid out as the sums go through them.
+struct Block {
+    /// For each tile of frequencies u and each pair of points: cos and sin of the first, cos and
+    /// sin of the second.
+    columns: Vec<[[[f64; LANES]; 4]; PAIRS]>,
+    /// For each frequency v and each pair of points: the same.
+    rows: Vec<[[f64; 4]; PAIRS]>,
+}
+
+impl Block {
+    /// Sets the waves of the point in the place `place`, with the rows from `first` on.
+    fn set(&mut self, place: usize, point: &[f64], first: usize) {
+        let (pair, part) = (place / 2, place % 2 * 2);
+        waves(point[0], 0..self.columns.len() * LANES, |u, (cos, sin)| {
+            let tile = &mut self.columns[u / LANES][pair];
+            (tile[part][u % LANES], tile[part + 1][u % LANES]) = (cos, sin);
+        });
+        waves(point[1], first..first + self.rows.len(), |v, (cos, sin)| {
+            let row = &mut self.rows[v - first][pair];
+            (row[part], row[part + 1]) = (cos, sin);
+        });
     }
 }
 
-/// The power in the upper half plane from the sums in the quarter: cos(a + b) = cos a cos b - sin a
-/// sin b, and so on.
-fn combine([cc, ss, sc, cs]: &[Vec<f64>; 4], reach: usize, n: f64) -> Vec<f64> {
-    let side = reach + 1;
-    let power = |v: usize, column: usize| {
-        let (u, negative) = if column < reach { (reach - column, true) } else { (column - reach, false) };
-        let at = v * side + u;
-        let (re, im) = if negative { (cc[at] + ss[at], cs[at] - sc[at]) } else { (cc[at] - ss[at], sc[at] + cs[at]) };
+vectorised! {
+    /// Adds the products cos cos, sin sin, sin cos and cos sin of u x and v y, for all u >= 0 and
+    /// the rows v, over the points of a block, in their order.
+    fn accumulate(sums: &mut [[[f64; LANES]; 4]], block: &Block) {
+        for (sums, row) in sums.chunks_exact_mut(block.columns.len()).zip(&block.rows) {
+            for (sums, columns) in sums.iter_mut().zip(&block.columns) {
+                let [mut cc, mut ss, mut sc, mut cs] = *sums;
+                for ([ac, asin, bc, bsin], [pc, ps, qc, qs]) in columns.iter().zip(row) {
+                    for u in 0..LANES {
+                        cc[u] += ac[u] * pc + bc[u] * qc;
+                        ss[u] += asin[u] * ps + bsin[u] * qs;
+                        sc[u] += asin[u] * pc + bsin[u] * qc;
+                        cs[u] += ac[u] * ps + bc[u] * qs;
+                    }
+                }
+                *sums = [cc, ss, sc, cs];
+            }
+        }
+    }
+}
+
+/// The power in rows of the upper half plane from the sums in the quarter: cos(a + b) = cos a cos b
+/// - sin a sin b, and so on.
+fn combine(sums: &[[[f64; LANES]; 4]], reach: usize, n: f64) -> Vec<f64> {
+    let power = |row: &[[[f64; LANES]; 4]], column: usize| {
+        let u = column.abs_diff(reach);
+        let [cc, ss, sc, cs] = row[u / LANES].map(|sums| sums[u % LANES]);
+        let (re, im) = if column < reach { (cc + ss, cs - sc) } else { (cc - ss, sc + cs) };
         (re * re + im * im) / n
     };
-    (0..side).flat_map(|v| (0..=2 * reach).map(move |column| (v, column))).map(|(v, column)| power(v, column)).collect()
-}
-
-/// cos and sin of 2 pi w x for consecutive w.
-struct Waves {
-    cos: Vec<f64>,
-    sin: Vec<f64>,
+    let rows = sums.chunks_exact((reach + 1).div_ceil(LANES));
+    rows.flat_map(|row| (0..=2 * reach).map(move |column| power(row, column))).collect()
 }
 
 /// Frequencies between two that are computed anew; rounding grows with the distance.
 const STRIDE: usize = 16;
 
-impl Waves {
-    fn new(count: usize) -> Self {
-        Self { cos: vec![0.0; count], sin: vec![0.0; count] }
-    }
-
-    /// Sets all waves to 0.
-    fn clear(&mut self) {
-        self.cos.fill(0.0);
-        self.sin.fill(0.0);
-    }
-
-    /// Sets the waves of the coordinate `x` for the frequencies 0, 1, ...
-    fn set(&mut self, x: f64) {
-        let (cos, sin) = turn(x);
-        for (block, (cosines, sines)) in self.cos.chunks_mut(STRIDE).zip(self.sin.chunks_mut(STRIDE)).enumerate() {
-            let (mut c, mut s) = turn((block * STRIDE) as f64 * x);
-            for (cosine, sine) in cosines.iter_mut().zip(sines) {
-                (*cosine, *sine) = (c, s);
-                (c, s) = (c * cos - s * sin, c * sin + s * cos);
+/// Gives the frequencies `range` with cos and sin of 2 pi w `x` to `take`.
+fn waves(x: f64, range: Range<usize>, mut take: impl FnMut(usize, (f64, f64))) {
+    let (cos, sin) = turn(x);
+    let mut from = range.start / STRIDE * STRIDE;
+    while from < range.end {
+        let (mut c, mut s) = turn(from as f64 * x);
+        for w in from..(from + STRIDE).min(range.end) {
+            if w >= range.start {
+                take(w, (c, s));
             }
+            (c, s) = (c * cos - s * sin, c * sin + s * cos);
         }
+        from += STRIDE;
     }
 }
 

@@ -7,7 +7,8 @@
 //! bound does not pass the best so far are skipped; the others are visited by halving the gaps.
 
 use super::Measured;
-use super::star::{Best, sweep};
+use super::star::Best;
+use super::star_sweep::{Ranked, sweep};
 use crate::points::Points;
 
 /// The extrema of one height: of the excess of points, and of the excess of volume.
@@ -17,20 +18,29 @@ type Extrema = [f64; 2];
 pub(super) fn in_space(points: &Points) -> Measured {
     let mut rows: Vec<&[f64]> = points.rows().collect();
     rows.sort_unstable_by(|a, b| a[2].total_cmp(&b[2]));
-    let mut order: Vec<usize> = (0..rows.len()).collect();
-    order.sort_unstable_by(|&a, &b| rows[a][0].total_cmp(&rows[b][0]));
-    let mut search = Search { rows, order, best: Best::default() };
+    let by = |axis: usize| {
+        let mut order: Vec<usize> = (0..rows.len()).collect();
+        order.sort_unstable_by(|&a, &b| rows[a][axis].total_cmp(&rows[b][axis]));
+        order
+    };
+    let (by_x, by_y) = (by(0), by(1));
+    let mut search = Search { rows, by_x, by_y, best: Best::default() };
     let n = search.rows.len();
     let (low, high) = (search.visit(0), search.visit(n));
     search.between(0, low, n, high);
     search.best.measured()
 }
 
+/// The share of the best below which extrema are not looked for.
+const FLOOR: f64 = 0.8;
+
 struct Search<'a> {
     /// The points by rising z.
     rows: Vec<&'a [f64]>,
     /// Their places by rising x.
-    order: Vec<usize>,
+    by_x: Vec<usize>,
+    /// Their places by rising y.
+    by_y: Vec<usize>,
     best: Best,
 }
 
@@ -47,14 +57,25 @@ impl Search<'_> {
 
     /// The extrema with the `count` lowest points.
     fn visit(&mut self, count: usize) -> Extrema {
-        let lowest = self.order.iter().filter(|&&place| place < count);
-        let plane: Vec<[f64; 2]> = lowest.map(|&place| [self.rows[place][0], self.rows[place][1]]).collect();
         let heights = [self.below(count), self.above(count)];
-        // Extrema below this share of the best need not be known exactly to skip their neighbours:
-        // the sweep may pass over blocks that cannot reach it.
-        let floor = 0.6 * self.best.value;
+        let mut ordinates = Vec::with_capacity(count + 1);
+        let mut ranks = vec![0; count];
+        for &place in self.by_y.iter().filter(|&&place| place < count) {
+            let y = self.rows[place][1];
+            if ordinates.last() != Some(&y) {
+                ordinates.push(y);
+            }
+            ranks[place] = ordinates.len() - 1;
+        }
+        if ordinates.last() != Some(&1.0) {
+            ordinates.push(1.0);
+        }
+        let lowest = self.by_x.iter().filter(|&&place| place < count);
+        let plane: Vec<Ranked> = lowest.map(|&place| (self.rows[place][0], ranks[place])).collect();
+        // Extrema below this share of the best need not be known exactly to skip their neighbours.
+        let floor = FLOOR * self.best.value;
         let mut found = [(); 2].map(|()| Best { value: floor, corner: vec![0.0; 2] });
-        sweep(&plane, self.rows.len(), heights, &mut found);
+        sweep(&plane, &ordinates, self.rows.len(), heights, &mut found);
         let extrema = [found[0].value, found[1].value];
         for (found, height) in found.into_iter().zip(heights) {
             let Best { value, mut corner } = found;

@@ -17,11 +17,13 @@ use crate::diag::Code;
 mod declare;
 mod counts;
 mod names;
+mod pair;
 mod scalars;
 
 pub use counts::Counts;
 pub(crate) use counts::place_of;
 pub(crate) use declare::{choices, parameters};
+pub use pair::Pair;
 pub use scalars::Unbounded;
 pub(crate) use scalars::read_word;
 

@@ -1,4 +1,4 @@
-//! Names and formulas: samplers with their scrambles, and integrands.
+//! Names and formulas: samplers with their scrambles, integrands, and scenes.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -7,10 +7,11 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::{Complaint, ParameterType, Unbounded, wrong_type};
-use crate::catalogue::{About, nearest};
+use crate::catalogue::{About, find, nearest};
 use crate::diag::Code;
 use crate::integrands::{ExpressionError, Function, INTEGRANDS};
 use crate::samplers::{Method, UnknownMethod, WrongSetting};
+use crate::scenes::{SCENES, Scene};
 
 impl ParameterType for Method {
     type Bound = Unbounded;
@@ -76,6 +77,46 @@ fn unknown(text: &str, error: &UnknownMethod, place: &Range<usize>) -> Complaint
     Complaint::new(code, place, message)
         .help_if(error.suggestion().map(|name| format!("did you mean `{name}`?")))
         .help(format!("`workbook list {list}` shows all"))
+}
+
+impl ParameterType for &'static dyn Scene {
+    type Bound = Unbounded;
+
+    fn type_name() -> String {
+        "the name of a scene".to_owned()
+    }
+
+    fn schema() -> Value {
+        json!({ "enum": SCENES.iter().map(|scene| scene.about().key).collect::<Vec<_>>() })
+    }
+
+    fn read(
+        value: &Spanned<DeValue<'_>>,
+        _: Option<&RangeInclusive<Unbounded>>,
+        complaints: &mut Vec<Complaint>,
+    ) -> Option<Self> {
+        let Some(text) = value.get_ref().as_str() else {
+            wrong_type::<Self>(value, complaints);
+            return None;
+        };
+        let found = find(SCENES, text);
+        if found.is_none() {
+            let offer = nearest(text, SCENES.iter().map(|scene| scene.about().key));
+            let complaint = Complaint::new(Code::UnknownName, value.span(), format!("unknown scene `{text}`"))
+                .help_if(offer.map(|name| format!("did you mean `{name}`?")))
+                .help("`workbook list scenes` shows all");
+            complaints.push(complaint);
+        }
+        found
+    }
+
+    fn canonical(&self) -> Value {
+        json!(self.about().key)
+    }
+
+    fn abouts(&self) -> Vec<&'static About> {
+        vec![self.about()]
+    }
 }
 
 impl ParameterType for Function {

@@ -15,7 +15,7 @@ mod toml_text;
 
 use std::sync::Arc;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Code, Diagnostic};
 use crate::workspace::{self, Workspace};
 
 pub use configuration::Configuration;
@@ -66,9 +66,26 @@ pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
     let configuration = configuration::read(workspace, &mut diagnostics);
     let sources = configuration::ordered_chapters(&configuration, workspace, &mut diagnostics);
-    let chapters =
+    let chapters: Vec<Chapter> =
         sources.into_iter().map(|source| chapter(source, &configuration, workspace, &mut diagnostics)).collect();
+    check_slugs(&chapters, &mut diagnostics);
     (Course { configuration, chapters }, diagnostics)
+}
+
+/// The pages that the book makes of itself: no chapter can have their names.
+pub const OWN_PAGES: [&str; 4] = ["index", "exhibits", "kinds", "bibliography"];
+
+/// Complains of chapters whose pages would take each other's place, or that of a page of the book.
+fn check_slugs(chapters: &[Chapter], diagnostics: &mut Vec<Diagnostic>) {
+    for (index, chapter) in chapters.iter().enumerate() {
+        let other = chapters[..index].iter().find(|other| other.slug == chapter.slug).map(|other| &*other.file);
+        let own = OWN_PAGES.contains(&chapter.slug.as_str()).then_some("the book itself");
+        if let Some(other) = other.or(own) {
+            let message =
+                format!("the page of `{}` would be `{}.html`, which is that of {other}", chapter.file, chapter.slug);
+            diagnostics.push(Diagnostic::error(Code::ChapterOrder, message).help("give the chapter another name"));
+        }
+    }
 }
 
 /// Parses one chapter.

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::markdown::Writer;
-use super::{Rendering, table};
-use crate::chart::Drawing;
+use super::{Rendering, pictures, stepper, table};
+use crate::chart::{Drawing, Stepper};
 use crate::diag::Diagnostic;
 use crate::exhibits::Verdict;
 use crate::plan::{Exhibit, Listing, escape};
@@ -21,6 +21,7 @@ struct ExhibitContext<'a> {
     label: String,
     caption: String,
     body: String,
+    below: String,
     width: Option<f64>,
     alt: &'a str,
     kind: &'static str,
@@ -28,6 +29,13 @@ struct ExhibitContext<'a> {
     key: &'a str,
     claims: Vec<ClaimContext>,
     parameters: Vec<ParameterContext>,
+    downloads: Vec<DownloadContext<'a>>,
+}
+
+#[derive(Serialize)]
+struct DownloadContext<'a> {
+    href: &'a str,
+    label: &'a str,
 }
 
 #[derive(Serialize)]
@@ -66,8 +74,16 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
     let shown = &rendering.shown[index];
     let (caption, mut diagnostics) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
     let (class, body, width) = match &shown.drawing {
-        Drawing::Figure(figure) => ("figure", figure.svg.clone(), Some(figure.width)),
+        Drawing::Figure(figure) | Drawing::Stepper(Stepper { figure, .. }) => {
+            ("figure", figure.svg.clone(), Some(figure.width))
+        }
         Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter), None),
+        Drawing::Pictures(drawn) => ("pictures", pictures::html(&exhibit.id, drawn, &rendering.converter), None),
+    };
+    let downloads = rendering.files[index].iter();
+    let below = match &shown.drawing {
+        Drawing::Stepper(drawn) => stepper::html(&exhibit.id, drawn, rendering, &mut diagnostics),
+        _ => String::new(),
     };
     let context = ExhibitContext {
         id: &exhibit.id,
@@ -75,6 +91,7 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
         label: label(rendering, &exhibit.id),
         caption,
         body,
+        below,
         width,
         alt: &shown.alt,
         kind: exhibit.experiment.kind().about().key,
@@ -82,6 +99,7 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
         key: &shown.key[..SHORT_KEY.min(shown.key.len())],
         claims: claims(&shown.verdicts, exhibit),
         parameters: parameters(exhibit),
+        downloads: downloads.map(|file| DownloadContext { href: &file.path, label: &file.label }).collect(),
     };
     let html = rendering.templates.fill("exhibit.html", &ExhibitPart { exhibit: context }, &mut diagnostics);
     (html, diagnostics)
@@ -103,7 +121,7 @@ pub(super) fn listing(rendering: &Rendering<'_>, listing: &Listing) -> (String, 
 }
 
 /// What a reader calls the thing with this id, e.g. `Figure 2.3`.
-fn label(rendering: &Rendering<'_>, id: &str) -> String {
+pub(super) fn label(rendering: &Rendering<'_>, id: &str) -> String {
     rendering
         .plan
         .labels

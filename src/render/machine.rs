@@ -26,6 +26,11 @@ fn exhibit(rendering: &Rendering<'_>, index: usize) -> Json {
         .iter()
         .map(|verdict| json!({ "value": verdict.value, "bound": verdict.bound_text(), "measured": number(&verdict.measured), "holds": verdict.holds }))
         .collect();
+    let page = format!("{}#{}", rendering.href(exhibit.chapter), exhibit.id);
+    let files: Vec<&str> = std::iter::once(&page)
+        .chain(rendering.files[index].iter().map(|file| &file.path))
+        .map(String::as_str)
+        .collect();
     json!({
         "id": exhibit.id,
         "kind": exhibit.experiment.kind().about().key,
@@ -37,7 +42,7 @@ fn exhibit(rendering: &Rendering<'_>, index: usize) -> Json {
         "seed": exhibit.seed,
         "values": values,
         "claims": claims,
-        "files": [format!("{}#{}", rendering.href(exhibit.chapter), exhibit.id)],
+        "files": files,
     })
 }
 

@@ -1,10 +1,14 @@
 //! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
 
 mod citations;
+pub(crate) mod data;
 mod exhibit;
 pub(crate) mod machine;
 mod markdown;
+mod matter;
 mod pages;
+mod pictures;
+mod stepper;
 mod table;
 mod templates;
 
@@ -38,6 +42,8 @@ pub(crate) struct Rendering<'a> {
     converter: Converter,
     citations: Citations,
     templates: Templates,
+    /// The files of each exhibit, in the order of `shown`.
+    files: Vec<Vec<data::File>>,
 }
 
 impl Rendering<'_> {
@@ -53,12 +59,18 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     let Some(templates) = Templates::load(workspace, &mut diagnostics) else { return (Book::default(), diagnostics) };
     let converter = Converter::new(&course.configuration.macros, &mut diagnostics);
     let citations = Citations::format(course, plan, workspace, &mut diagnostics);
-    let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates };
+    let files =
+        plan.exhibits.iter().zip(shown).map(|(exhibit, shown)| data::files(exhibit, &shown.outcome, &shown.drawing));
+    let files = files.collect();
+    let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates, files };
     let mut book = Book::default();
     for (path, bytes) in pages::all(&rendering, &mut diagnostics) {
         book.files.insert(path, bytes.into_bytes());
     }
     book.files.extend(rendering.templates.assets());
+    for file in rendering.files.iter().flatten() {
+        book.files.insert(file.path.clone(), file.bytes.clone());
+    }
     book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
     for (path, bytes) in &workspace.blobs {
         let Some(name) = path.strip_prefix(CHAPTERS).and_then(|path| path.strip_prefix('/')) else { continue };

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::Rendering;
 use super::markdown::Writer;
+use super::matter::{self, Group, KindContext, MATTER};
 use super::templates::ASSETS;
 use crate::diag::Diagnostic;
 
@@ -16,6 +17,7 @@ struct BookContext<'a> {
     authors: &'a [String],
     language: &'a str,
     chapters: Vec<ChapterContext<'a>>,
+    matter: Vec<MatterContext>,
     version: &'static str,
 }
 
@@ -27,6 +29,13 @@ struct ChapterContext<'a> {
     summary: &'a str,
     href: String,
     current: bool,
+}
+
+/// A line of the list of pages that are no chapters.
+#[derive(Serialize)]
+struct MatterContext {
+    title: &'static str,
+    href: &'static str,
 }
 
 /// What a page knows of itself.
@@ -86,10 +95,30 @@ struct BibliographyPage<'a> {
     contents: Vec<SectionContext>,
 }
 
+#[derive(Serialize)]
+struct ExhibitsPage<'a> {
+    book: BookContext<'a>,
+    page: PageContext<'a>,
+    assets: &'static str,
+    groups: Vec<Group<'a>>,
+    contents: Vec<SectionContext>,
+}
+
+#[derive(Serialize)]
+struct KindsPage<'a> {
+    book: BookContext<'a>,
+    page: PageContext<'a>,
+    assets: &'static str,
+    kinds: Vec<KindContext>,
+    contents: Vec<SectionContext>,
+}
+
 /// Every page, by its path in the book.
 pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<(String, String)> {
     let mut pages = vec![
         ("index.html".to_owned(), index(rendering, diagnostics)),
+        ("exhibits.html".to_owned(), exhibits(rendering, diagnostics)),
+        ("kinds.html".to_owned(), kinds(rendering, diagnostics)),
         ("bibliography.html".to_owned(), bibliography(rendering, diagnostics)),
     ];
     for chapter in 0..rendering.course.chapters.len() {
@@ -114,6 +143,7 @@ fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> BookContext<'a
         authors: &configuration.authors,
         language: &configuration.language,
         chapters: chapters.collect(),
+        matter: MATTER.iter().map(|matter| MatterContext { title: matter.title, href: matter.href }).collect(),
         version: env!("CARGO_PKG_VERSION"),
     }
 }
@@ -191,4 +221,36 @@ fn bibliography(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) ->
         contents: Vec::new(),
     };
     rendering.templates.fill("bibliography.html", &context, diagnostics)
+}
+
+fn exhibits(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String {
+    let context = ExhibitsPage {
+        book: book(rendering, None),
+        page: PageContext {
+            title: "Exhibits",
+            number: None,
+            summary: "Every figure and table of the book, with its place.",
+            href: "exhibits.html".to_owned(),
+        },
+        assets: ASSETS,
+        groups: matter::groups(rendering, diagnostics),
+        contents: Vec::new(),
+    };
+    rendering.templates.fill("exhibits.html", &context, diagnostics)
+}
+
+fn kinds(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String {
+    let context = KindsPage {
+        book: book(rendering, None),
+        page: PageContext {
+            title: "Kinds of experiments",
+            number: None,
+            summary: "What a chapter can ask to be computed, and how it asks.",
+            href: "kinds.html".to_owned(),
+        },
+        assets: ASSETS,
+        kinds: matter::kinds(rendering),
+        contents: Vec::new(),
+    };
+    rendering.templates.fill("kinds.html", &context, diagnostics)
 }

@@ -49,12 +49,16 @@ fn content(cell: &Cell, converter: &Converter) -> String {
         Cell::Math(tex) => formula(tex, converter),
         Cell::Code(code) => format!("<code>{}</code>", escape(code)),
         Cell::Text(text) => prose(text, converter),
+        Cell::Holds { holds, text } => {
+            let class = if *holds { "holds" } else { "fails" };
+            format!("<span class=\"{class}\">{}</span>", escape(text))
+        }
         cell => escape(&cell.printed()),
     }
 }
 
 /// Plain words with LaTeX between dollars.
-fn prose(text: &str, converter: &Converter) -> String {
+pub(super) fn prose(text: &str, converter: &Converter) -> String {
     let mut out = String::new();
     for (index, part) in text.split('$').enumerate() {
         if index % 2 == 0 { out.push_str(&escape(part)) } else { out.push_str(&formula(part, converter)) }

@@ -11,7 +11,7 @@
 
 use super::{Digital, Radix};
 use crate::scrambles::owen_hash;
-use multiversion::multiversion;
+use crate::vectors::vectorised;
 
 /// Words in the vector of a block, at least: a few of the widest registers.
 const WORDS: usize = 64;
@@ -47,8 +47,10 @@ pub fn binary(digital: &dyn Digital, finishes: &[Finish], out: &mut [f64]) -> bo
     match first {
         Finish::Plain => plain(&rows, out),
         Finish::Mask(_) => {
-            let masks = rows.repeat(|axis| if let Finish::Mask(mask) = repeated(axis) { mask } else { 0 });
-            masked(&rows, &masks, out);
+            let mask = |axis: usize| if let Finish::Mask(mask) = repeated(axis) { mask } else { 0 };
+            let masks = rows.repeat(|axis| (mask(axis) >> 21) as u32);
+            let lows = rows.repeat(|axis| (mask(axis) & ((1 << 21) - 1)) as f64 * super::digits::GRAIN);
+            masked(&rows, &masks, &lows, out);
         }
         Finish::Hash(_) => {
             let keys = rows.repeat(|axis| if let Finish::Hash(key) = repeated(axis) { key } else { 0 });
@@ -100,41 +102,51 @@ impl Rows {
 /// 2^-32.
 const GRAIN: f64 = owen_hash::GRAIN;
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
-fn plain(rows: &Rows, out: &mut [f64]) {
-    let mut words = rows.start.clone();
-    for (block, out) in out.chunks_mut(rows.start.len()).enumerate() {
-        for (x, word) in out.iter_mut().zip(&words) {
-            *x = f64::from(*word) * GRAIN;
-        }
-        for (word, step) in words.iter_mut().zip(rows.step(block)) {
-            *word ^= step;
-        }
-    }
-}
-
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
-fn masked(rows: &Rows, masks: &[u64], out: &mut [f64]) {
-    let mut words = rows.start.clone();
-    for (block, out) in out.chunks_mut(rows.start.len()).enumerate() {
-        for ((x, word), mask) in out.iter_mut().zip(&words).zip(masks) {
-            *x = ((u64::from(*word) << 21) ^ mask) as i64 as f64 * super::digits::GRAIN;
-        }
-        for (word, step) in words.iter_mut().zip(rows.step(block)) {
-            *word ^= step;
+vectorised! {
+    fn plain(rows: &Rows, out: &mut [f64]) {
+        let mut words = rows.start.clone();
+        for (block, out) in out.chunks_mut(rows.start.len()).enumerate() {
+            for (x, word) in out.iter_mut().zip(&words) {
+                *x = f64::from(*word) * GRAIN;
+            }
+            for (word, step) in words.iter_mut().zip(rows.step(block)) {
+                *word ^= step;
+            }
         }
     }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
-fn hashed(rows: &Rows, keys: &[u32], out: &mut [f64]) {
-    let mut words = rows.start.clone();
-    for (block, out) in out.chunks_mut(rows.start.len()).enumerate() {
-        for ((x, word), key) in out.iter_mut().zip(&words).zip(keys) {
-            *x = f64::from(owen_hash::carry_up(*word, *key).reverse_bits()) * GRAIN;
+vectorised! {
+    /// `masks` are of the 32 digits of the words, `lows` what their further digits are worth: whole
+    /// numbers of 2^-53 below 2^-32, so that the sum is exact.
+    fn masked(rows: &Rows, masks: &[u32], lows: &[f64], out: &mut [f64]) {
+        let mut words = rows.start.clone();
+        for (block, out) in out.chunks_mut(rows.start.len()).enumerate() {
+            for (((x, word), mask), low) in out.iter_mut().zip(&words).zip(masks).zip(lows) {
+                *x = f64::from(word ^ mask) * GRAIN + low;
+            }
+            for (word, step) in words.iter_mut().zip(rows.step(block)) {
+                *word ^= step;
+            }
         }
-        for (word, step) in words.iter_mut().zip(rows.step(block)) {
-            *word ^= step;
+    }
+}
+
+vectorised! {
+    fn hashed(rows: &Rows, keys: &[u32], out: &mut [f64]) {
+        let mut words = rows.start.clone();
+        let mut digits = words.clone();
+        for (block, out) in out.chunks_mut(rows.start.len()).enumerate() {
+            // A loop of its own, so that twice as many words fit in a register as coordinates.
+            for ((digits, word), key) in digits.iter_mut().zip(&words).zip(keys) {
+                *digits = owen_hash::carry_up(*word, *key).reverse_bits();
+            }
+            for (x, digits) in out.iter_mut().zip(&digits) {
+                *x = f64::from(*digits) * GRAIN;
+            }
+            for (word, step) in words.iter_mut().zip(rows.step(block)) {
+                *word ^= step;
+            }
         }
     }
 }
@@ -188,15 +200,16 @@ pub fn radical(radix: Radix, image: impl Fn(usize, u64) -> u64, tail: f64, out: 
     }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2+bmi1+bmi2"))]
-fn divided(table: &[f64], above: f64, scale: f64, out: &mut [f64], stride: usize) {
-    let mut quotients = [0.0; 64];
-    for (out, lows) in out.chunks_mut(64 * stride).zip(table.chunks(64)) {
-        for (quotient, low) in quotients.iter_mut().zip(lows) {
-            *quotient = (low + above) / scale;
-        }
-        for (x, quotient) in out.iter_mut().step_by(stride).zip(&quotients) {
-            *x = *quotient;
+vectorised! {
+    fn divided(table: &[f64], above: f64, scale: f64, out: &mut [f64], stride: usize) {
+        let mut quotients = [0.0; 64];
+        for (out, lows) in out.chunks_mut(64 * stride).zip(table.chunks(64)) {
+            for (quotient, low) in quotients.iter_mut().zip(lows) {
+                *quotient = (low + above) / scale;
+            }
+            for (x, quotient) in out.iter_mut().step_by(stride).zip(&quotients) {
+                *x = *quotient;
+            }
         }
     }
 }

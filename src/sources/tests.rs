@@ -180,6 +180,7 @@ fn every_part_of_the_library_is_known_to_compute_or_not() {
         "integrands",
         "metrics",
         "scenes",
+        "raster.rs",
         "stats",
         "parameters",
         "kinds",

@@ -88,6 +88,17 @@ pub struct Verdict {
     pub probability: f64,
 }
 
+/// The probability that a chi-square variable with `freedom > 0` degrees is at least `statistic`; also
+/// for no statistic at all, and for one so large that nothing is left.
+pub fn chi_square_tail(statistic: f64, freedom: f64) -> f64 {
+    if statistic <= 0.0 {
+        return 1.0;
+    }
+    let tail = pxfm::f_gamma_q(0.5 * freedom, 0.5 * statistic);
+    // From there on the tail is below exp(-700), and the continued fraction gives no number.
+    if statistic > 1500.0 + 10.0 * freedom { 0.0 } else { tail.clamp(0.0, 1.0) }
+}
+
 /// Pearson's chi-square test of `counts` against equal expected counts; `None` of fewer than two
 /// cells or no count at all.
 pub fn chi_square(counts: &[u64]) -> Option<Verdict> {
@@ -98,7 +109,30 @@ pub fn chi_square(counts: &[u64]) -> Option<Verdict> {
     let expected = total as f64 / counts.len() as f64;
     let statistic = counts.iter().map(|&count| (count as f64 - expected) * (count as f64 - expected) / expected).sum();
     let freedom = (counts.len() - 1) as f64;
-    Some(Verdict { statistic, probability: pxfm::f_gamma_q(0.5 * freedom, 0.5 * statistic) })
+    Some(Verdict { statistic, probability: chi_square_tail(statistic, freedom) })
+}
+
+/// Pearson's chi-square test of `counts` against cells of these probabilities, which sum to at most 1;
+/// cells that expect fewer than five are joined with the next, and what is left with the last (Cochran
+/// 1954, doi 10.2307/3001616). `None` of fewer than two cells, unequal lengths or no count at all.
+pub fn chi_square_against(counts: &[u64], probabilities: &[f64]) -> Option<Verdict> {
+    let total = counts.iter().sum::<u64>() as f64;
+    if counts.len() != probabilities.len() || total == 0.0 {
+        return None;
+    }
+    let mut cells: Vec<(f64, f64)> = Vec::new();
+    let mut open = (0.0, 0.0);
+    for (&count, &probability) in counts.iter().zip(probabilities) {
+        open = (open.0 + count as f64, open.1 + probability * total);
+        if open.1 >= 5.0 {
+            cells.push(std::mem::take(&mut open));
+        }
+    }
+    let last = cells.last_mut()?;
+    *last = (last.0 + open.0, last.1 + open.1);
+    let freedom = cells.len().checked_sub(1).filter(|freedom| *freedom > 0)? as f64;
+    let statistic = cells.iter().map(|(count, expected)| (count - expected) * (count - expected) / expected).sum();
+    Some(Verdict { statistic, probability: chi_square_tail(statistic, freedom) })
 }
 
 /// The Kolmogorov-Smirnov test of `values` against the uniform law on [0, 1]; `None` of no values
@@ -141,6 +175,29 @@ mod checks {
         let verdict = chi_square(&[10, 20, 30]).expect("three cells");
         assert_eq!(verdict.statistic, 10.0);
         assert!((verdict.probability - portable::exp(-5.0)).abs() < 1e-15);
+        assert_eq!(chi_square(&[7, 7, 7]).expect("three cells").probability, 1.0);
+        assert_eq!(chi_square(&[100_000, 0, 0, 0]).expect("four cells").probability, 0.0);
+        // One degree of freedom: the square of a normal variable, over the whole range.
+        for statistic in [1e-12, 1e-3, 1.0, 25.0, 100.0, 600.0, 1300.0] {
+            let (tail, normal) = (chi_square_tail(statistic, 1.0), two_sided(statistic.sqrt()));
+            assert!((tail - normal).abs() <= 1e-12 + 1e-9 * normal, "{statistic}: {tail} {normal}");
+        }
+        // Two degrees: exp(-x/2). Thirty-two: a sum of Poisson terms.
+        for statistic in [1e-9, 3.0, 40.0, 90.0, 400.0, 1200.0] {
+            let (half, mut term, mut sum) = (0.5 * statistic, 1.0, 1.0);
+            for k in 1..16 {
+                term *= half / f64::from(k);
+                sum += term;
+            }
+            let poisson = sum * portable::exp(-half);
+            assert!((chi_square_tail(statistic, 32.0) - poisson).abs() <= 1e-12, "{statistic}");
+        }
+        let against = chi_square_against(&[10, 20, 30], &[1.0 / 3.0; 3]).expect("three cells");
+        assert!((against.statistic - 10.0).abs() < 1e-12);
+        // Cells of 2, 3 and 5 expected: the first two are joined.
+        let joined = chi_square_against(&[1, 4, 5], &[0.2, 0.3, 0.5]).expect("two cells");
+        assert!(joined.statistic.abs() < 1e-12 && (joined.probability - 1.0).abs() < 1e-12);
+        assert_eq!(chi_square_against(&[1, 2], &[0.5, 0.5]), None);
         assert!((kolmogorov(1.358_098_6) - 0.05).abs() < 1e-7);
         assert!((kolmogorov(0.828_757_355_5) - 0.497_7).abs() < 2e-3);
         assert!((two_sided(1.959_963_984_540_054) - 0.05).abs() < 1e-15);

@@ -1,6 +1,7 @@
 //! Statistics of experiments: portable functions, moments, quadrature, regression, the normal law,
-//! histograms.
+//! histograms, spectra.
 
+pub mod fourier;
 pub mod histogram;
 pub mod inference;
 pub mod moments;

@@ -140,6 +140,20 @@ fn run_prints_the_values_in_full() {
 }
 
 #[test]
+fn run_prints_the_files_of_the_book() {
+    let course = small();
+    course.fine(&["build"]);
+    let file = |path: &str| course.read(&format!("book/exhibits/{path}"));
+    let print = |id, format| course.fine(&["run", id, "--format", format, "--quiet"]).out;
+    assert_eq!(print("fig-points", "csv"), file("fig-points.csv"));
+    assert_eq!(print("fig-points", "json"), file("fig-points.json"));
+    assert_eq!(print("fig-points", "svg"), file("fig-points.svg"));
+    assert!(print("tbl-estimates", "table").lines().all(|line| line.chars().count() < 100));
+    let told = course.say(&["run", "tbl-estimates", "--format", "svg"]);
+    assert!(told.err.contains("--format table"), "a table has no drawing: {}", told.err);
+}
+
+#[test]
 fn list_names_every_catalogue() {
     let course = small();
     let first: [(&str, &[&str]); 5] = [

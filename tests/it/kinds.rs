@@ -206,6 +206,8 @@ fn degenerate_questions_are_answered_or_refused_in_words() {
                 match drawn {
                     Drawing::Figure(figure) => assert!(figure.svg.contains("<svg"), "{fence}"),
                     Drawing::Table(table) => assert!(!table.rows.is_empty(), "{fence}"),
+                    Drawing::Pictures(pictures) => assert!(!pictures.items.is_empty(), "{fence}"),
+                    Drawing::Stepper(stepper) => assert!(!stepper.captions.is_empty(), "{fence}"),
                 }
                 let alt = experiment.alt(&outcome).unwrap_or_default();
                 assert!(alt.ends_with('.') && !alt.contains("NaN") && !alt.contains("inf"), "{fence}: {alt}");

@@ -20,6 +20,8 @@ mod course;
 #[cfg(feature = "publish")]
 mod determinism;
 mod enumeration;
+#[cfg(feature = "publish")]
+mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
 mod golden;
@@ -32,6 +34,9 @@ mod measures;
 mod pages;
 #[cfg(feature = "publish")]
 mod parameters;
+mod paths;
+#[cfg(feature = "publish")]
+mod point_kinds;
 #[cfg(feature = "publish")]
 mod points;
 mod properties;
@@ -39,5 +44,7 @@ mod properties;
 mod review;
 mod settings;
 mod statistics;
+#[cfg(feature = "publish")]
+mod steppers;
 #[cfg(feature = "publish")]
 mod tidy;

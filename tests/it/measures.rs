@@ -116,6 +116,74 @@ fn star_discrepancy_agrees_with_brute_force() {
     assert!((star.value - star_by_force(&ties)).abs() < 1e-15 && attained(&ties, &star.extremal, star.value));
 }
 
+/// Sets with many equal coordinates, repeated points and points on both borders, against all boxes
+/// counted one by one; the box that is told has the value.
+#[test]
+fn star_discrepancy_is_exact_with_ties_and_borders() {
+    let mut random = Seed::new(5).generator();
+    for round in 0..600 {
+        let d = 2 + round % 2;
+        let n = 1 + random.below(if d == 2 { 30 } else { 11 }) as usize;
+        let levels = 1 + random.below(6);
+        let coordinates = (0..n * d).map(|_| random.below(levels + 1) as f64 / levels as f64).collect();
+        let points = Points::from_rows(d, coordinates).expect("rows");
+        let star = star::star_discrepancy(&points).expect("valid");
+        assert!((star.value - star_by_force(&points)).abs() < 1e-14, "{points:?}: {star:?}");
+        assert!(attained(&points, &star.extremal, star.value), "{points:?}: {star:?}");
+    }
+}
+
+/// Sets large enough for many blocks and skipped heights, against one count of every box: in the
+/// plane by the definition, in space slice by slice.
+#[test]
+fn star_discrepancy_of_larger_sets_is_exact() {
+    for name in ["sobol", "independent", "halton+owen", "latin-hypercube"] {
+        for n in [257, 1000] {
+            let points = points(name, n, 2, 3);
+            let star = star::star_discrepancy(&points).expect("valid");
+            let plane = [points.axis(0).collect::<Vec<_>>(), points.axis(1).collect::<Vec<_>>()];
+            let slow = in_slices(&[(plane, 1.0, 1.0)], n);
+            assert!((star.value - slow).abs() < 1e-14, "{name}, n = {n}: {} for {slow}", star.value);
+            assert!(attained(&points, &star.extremal, star.value), "{name}: {star:?}");
+        }
+        let points = points(name, 120, 3, 3);
+        let star = star::star_discrepancy(&points).expect("valid");
+        let mut rows: Vec<&[f64]> = points.rows().collect();
+        rows.sort_by(|a, b| a[2].total_cmp(&b[2]));
+        let slice = |count: usize| {
+            let plane = [0, 1].map(|axis| rows[..count].iter().map(|row| row[axis]).collect::<Vec<_>>());
+            let last = count.checked_sub(1).map_or(0.0, |last| rows[last][2]);
+            (plane, last, rows.get(count).map_or(1.0, |row| row[2]))
+        };
+        let slow = in_slices(&(0..=120).map(slice).collect::<Vec<_>>(), 120);
+        assert!((star.value - slow).abs() < 1e-14, "{name}: {} for {slow}", star.value);
+        assert!(attained(&points, &star.extremal, star.value), "{name}: {star:?}");
+    }
+}
+
+/// The star discrepancy of n points from slices: the points below a height as abscissas and
+/// ordinates, that height and the next. For each abscissa all ordinates are counted through.
+fn in_slices(slices: &[([Vec<f64>; 2], f64, f64)], n: usize) -> f64 {
+    let n = n as f64;
+    let mut best = 0.0_f64;
+    for ([xs, ys], low, high) in slices {
+        let mut by_y: Vec<usize> = (0..ys.len()).collect();
+        by_y.sort_by(|&a, &b| ys[a].total_cmp(&ys[b]));
+        for &x in xs.iter().chain([&1.0]) {
+            let (mut open, mut closed) = (0.0, 0.0);
+            for &k in &by_y {
+                // Without ties but at 1, the open box that ends at a point lacks this one only.
+                best = best.max(x * ys[k] * high - open / n);
+                open += f64::from(u8::from(xs[k] < x));
+                closed += f64::from(u8::from(xs[k] <= x));
+                best = best.max(closed / n - x * ys[k] * low);
+            }
+            best = best.max(x * high - open / n).max(closed / n - x * low);
+        }
+    }
+    best
+}
+
 /// Hammersley's set in base 2 has a closed form for the star and the L2 star discrepancy.
 #[test]
 fn hammersley_has_its_closed_forms() {
@@ -221,6 +289,19 @@ fn the_spectrum_is_the_periodogram() {
 
 /// Expected spectra: 1 for independent points, 1 - prod sinc^2 for jittered, and the two forms of
 /// Latin hypercubes.
+/// Rows computed apart are those of the whole, to the bit, wherever the rows are cut.
+#[test]
+fn rows_of_the_spectrum_can_be_shared() {
+    for (n, reach, cuts) in [(1, 0, [0, 0]), (13, 9, [1, 4]), (64, 40, [17, 33])] {
+        let points = points("independent", n, 2, 6);
+        let whole = spectrum::power(&points, reach).expect("points of the plane");
+        let parts = [0..cuts[0], cuts[0]..cuts[1], cuts[1]..reach + 1];
+        let rows = parts.map(|rows| spectrum::power_rows(&points, reach, rows).expect("rows")).concat();
+        assert_eq!(spectrum::Spectrum::from_rows(reach, rows), Some(whole), "{n} points up to {reach}");
+    }
+    assert_eq!(spectrum::Spectrum::from_rows(2, vec![0.0; 14]), None);
+}
+
 #[test]
 fn expected_spectra_are_met() {
     let sinc =

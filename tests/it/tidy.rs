@@ -9,6 +9,7 @@ use workbook::integrands::INTEGRANDS;
 use workbook::kinds::KINDS;
 use workbook::metrics::METRICS;
 use workbook::samplers::SAMPLERS;
+use workbook::scenes::SCENES;
 use workbook::scrambles::SCRAMBLES;
 use workbook::workspace::extension;
 
@@ -16,9 +17,9 @@ use crate::course::PACKAGE;
 
 /// The parts of the library from the lowest to the highest: a part uses only what is below it. Those in one line may use each other.
 const LAYERS: &[&[&str]] = &[
-    &["catalogue", "points", "seed", "stats", "samplers", "scrambles", "integrands", "metrics"],
+    &["catalogue", "vectors", "points", "seed", "stats", "samplers", "scrambles", "integrands", "metrics", "scenes"],
     &["diag"],
-    &["sources", "workspace"],
+    &["raster", "sources", "workspace"],
     &["parameters"],
     &["chart"],
     &["kinds"],
@@ -51,12 +52,22 @@ const SHARED: &[&str] = &[
     "integrands/expression",
     "integrands/function.rs",
     "integrands/genz.rs",
+    "scenes/film",
+    "scenes/tracer",
     "metrics/occupancy.rs",
     "metrics/spectrum.rs",
     "metrics/star_bound.rs",
     "metrics/star_space.rs",
+    "metrics/star_sweep.rs",
+    "kinds/bugs",
     "kinds/estimation",
     "kinds/experiment",
+    "kinds/imaging",
+    "kinds/steps",
+    "kinds/measuring.rs",
+    "kinds/placing.rs",
+    "kinds/radical.rs",
+    "kinds/worst_box.rs",
 ];
 
 /// Folders that are made, not written.
@@ -256,12 +267,13 @@ fn uses_are_seen_in_every_form() {
 }
 
 /// Every catalogue: its folder, and what its entries say of themselves.
-fn catalogues() -> [(&'static str, Vec<&'static About>); 5] {
+fn catalogues() -> [(&'static str, Vec<&'static About>); 6] {
     [
         ("samplers", SAMPLERS.iter().map(|entry| entry.about()).collect()),
         ("scrambles", SCRAMBLES.iter().map(|entry| entry.about()).collect()),
         ("integrands", INTEGRANDS.iter().map(|entry| entry.about()).collect()),
         ("metrics", METRICS.iter().map(|entry| entry.about()).collect()),
+        ("scenes", SCENES.iter().map(|entry| entry.about()).collect()),
         ("kinds", KINDS.iter().map(|entry| entry.about()).collect()),
     ]
 }
@@ -315,7 +327,7 @@ fn keys_are_unique_and_every_method_has_a_paper() {
             let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
             assert!(!about.key.is_empty() && about.key.chars().all(plain), "{}", about.key);
             assert!(!about.title.is_empty() && about.summary.ends_with('.'), "{}: {}", about.key, about.summary);
-            if ["samplers", "scrambles"].contains(&folder) {
+            if ["samplers", "scrambles", "scenes"].contains(&folder) {
                 assert!(!about.papers.is_empty(), "{} has no paper", about.key);
             }
             for paper in about.papers {

@@ -1,5 +1,8 @@
 //! Estimation: many estimates of one integral, in parallel and in an order that no thread can change.
 
+mod law;
+mod rate;
+
 use std::ops::Range;
 
 use rayon::prelude::*;
@@ -11,6 +14,9 @@ use crate::points::Points;
 use crate::samplers::Method;
 use crate::seed::Seed;
 use crate::stats::moments::{self, Sum};
+
+pub use law::{Density, Law, Named, check_density, check_ends};
+pub use rate::{Rate, rate, root_mean_square};
 
 /// How many evaluations one task of the thread pool makes, about.
 const TASK: usize = 1 << 15;

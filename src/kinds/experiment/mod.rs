@@ -2,6 +2,7 @@
 
 mod frame;
 mod problems;
+mod rest;
 mod values;
 
 use std::ops::Range;
@@ -11,6 +12,7 @@ use serde::de::DeserializeOwned;
 
 pub use frame::{Entries, Frame};
 pub use problems::Problems;
+pub use rest::Rest;
 pub use values::{Measured, Value, Values};
 
 use crate::catalogue::About;

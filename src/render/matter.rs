@@ -1,0 +1,183 @@
+//! The pages around the chapters that the book makes of itself: the index of exhibits, and the kinds of experiments.
+
+use serde::Serialize;
+
+use super::Rendering;
+use super::exhibit::label;
+use super::markdown::Writer;
+use super::table;
+use crate::chart::Drawing;
+use crate::diag::Diagnostic;
+use crate::kinds::KINDS;
+use crate::parameters::ParameterDoc;
+use crate::plan::{escape, minus};
+
+/// A page that is no chapter.
+pub(super) struct Matter {
+    /// Its name in the lists of pages.
+    pub title: &'static str,
+    /// Its path in the book.
+    pub href: &'static str,
+}
+
+/// The pages that are no chapters, in their order.
+pub(super) const MATTER: [Matter; 3] = [
+    Matter { title: "Exhibits", href: "exhibits.html" },
+    Matter { title: "Kinds of experiments", href: "kinds.html" },
+    Matter { title: "Bibliography", href: "bibliography.html" },
+];
+
+/// A chapter's part of the index of exhibits.
+#[derive(Serialize)]
+pub(super) struct Group<'a> {
+    number: usize,
+    title: &'a str,
+    href: String,
+    exhibits: Vec<Thumbnail<'a>>,
+}
+
+/// An exhibit, small.
+#[derive(Serialize)]
+struct Thumbnail<'a> {
+    id: &'a str,
+    label: String,
+    kind: &'static str,
+    caption: String,
+    claims: usize,
+    /// The picture's files, if it is a picture.
+    images: Vec<&'a str>,
+    /// A table's HTML, if it is a table.
+    table: Option<String>,
+}
+
+/// The exhibits by chapter.
+pub(super) fn groups<'a>(rendering: &'a Rendering<'a>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Group<'a>> {
+    let chapters = rendering.course.chapters.iter().enumerate();
+    let groups = chapters.map(|(number, chapter)| {
+        let indices = (0..rendering.plan.exhibits.len()).filter(|&at| rendering.plan.exhibits[at].chapter == number);
+        let exhibits = indices.map(|index| thumbnail(rendering, index, diagnostics)).collect();
+        Group { number: number + 1, title: &chapter.front.title, href: rendering.href(number), exhibits }
+    });
+    groups.filter(|group| !group.exhibits.is_empty()).collect()
+}
+
+fn thumbnail<'a>(rendering: &'a Rendering<'a>, index: usize, diagnostics: &mut Vec<Diagnostic>) -> Thumbnail<'a> {
+    let (exhibit, shown) = (&rendering.plan.exhibits[index], &rendering.shown[index]);
+    let (caption, complaints) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
+    diagnostics.extend(complaints);
+    let is_picture = |path: &&str| [".svg", ".png"].iter().any(|end| path.ends_with(end));
+    let images = rendering.files[index].iter().map(|file| file.path.as_str()).filter(is_picture);
+    Thumbnail {
+        id: &exhibit.id,
+        label: label(rendering, &exhibit.id),
+        kind: exhibit.experiment.kind().about().key,
+        // Links within links are no HTML.
+        caption: without_links(&caption),
+        claims: shown.verdicts.len(),
+        images: images.collect(),
+        table: match &shown.drawing {
+            Drawing::Table(drawn) => Some(table::html(drawn, &rendering.converter)),
+            _ => None,
+        },
+    }
+}
+
+/// HTML without its links' tags; their words stay.
+fn without_links(html: &str) -> String {
+    let mut out = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some(at) = ["<a ", "<a>", "</a>"].iter().filter_map(|tag| rest.find(tag)).min() {
+        out.push_str(&rest[..at]);
+        rest = rest[at..].find('>').map_or("", |end| &rest[at + end + 1..]);
+    }
+    out + rest
+}
+
+/// A kind with what a chapter can ask of it.
+#[derive(Serialize)]
+pub(super) struct KindContext {
+    key: &'static str,
+    title: &'static str,
+    summary: String,
+    parameters: Vec<ParameterContext>,
+    exhibits: Vec<UseContext>,
+}
+
+/// What a chapter can ask of a kind.
+#[derive(Serialize)]
+struct ParameterContext {
+    name: &'static str,
+    meaning: String,
+    expected: String,
+    required: bool,
+    default: Option<&'static str>,
+}
+
+impl From<ParameterDoc> for ParameterContext {
+    fn from(doc: ParameterDoc) -> Self {
+        let limits = doc.limits.map(|limits| format!(", {}", minus(&limits))).unwrap_or_default();
+        Self {
+            name: doc.name,
+            meaning: literals(doc.meaning),
+            expected: literals(&(doc.type_name + &limits)),
+            required: doc.required,
+            default: doc.default,
+        }
+    }
+}
+
+/// Plain words as HTML, with what stands between backticks as code.
+fn literals(words: &str) -> String {
+    let parts = words.split('`').enumerate();
+    let part = |(index, part)| if index % 2 == 0 { escape(part) } else { format!("<code>{}</code>", escape(part)) };
+    parts.map(part).collect()
+}
+
+/// An exhibit of a kind.
+#[derive(Serialize)]
+struct UseContext {
+    label: String,
+    href: String,
+}
+
+/// Every kind, in the order of the catalogue, with the exhibits of this book that are of it.
+pub(super) fn kinds(rendering: &Rendering<'_>) -> Vec<KindContext> {
+    let of = |key: &'static str| {
+        let exhibits =
+            rendering.plan.exhibits.iter().filter(move |exhibit| exhibit.experiment.kind().about().key == key);
+        exhibits.map(|exhibit| UseContext {
+            label: label(rendering, &exhibit.id),
+            href: format!("{}#{}", rendering.href(exhibit.chapter), exhibit.id),
+        })
+    };
+    let context = |kind: &&'static dyn crate::kinds::AnyKind| {
+        let about = kind.about();
+        KindContext {
+            key: about.key,
+            title: about.title,
+            summary: literals(about.summary),
+            parameters: kind.parameters().into_iter().map(ParameterContext::from).collect(),
+            exhibits: of(about.key).collect(),
+        }
+    };
+    KINDS.iter().map(context).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_chapter_can_have_the_name_of_a_page() {
+        for matter in &MATTER {
+            let name = matter.href.strip_suffix(".html").unwrap_or_default();
+            assert!(crate::parse::OWN_PAGES.contains(&name), "{name}");
+        }
+    }
+
+    #[test]
+    fn links_lose_their_tags_only() {
+        assert_eq!(without_links("a <a class=\"x\" href=\"y\">b</a> <abbr>c</abbr>"), "a b <abbr>c</abbr>");
+        assert_eq!(without_links("plain"), "plain");
+    }
+}
