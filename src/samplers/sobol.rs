@@ -29,10 +29,8 @@
 //! ```
 
 use super::digits::GRAIN;
-use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, digital_points, refused};
+use super::{Digital, Digits, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
-use crate::points::Points;
-use crate::seed::Seed;
 
 /// The most dimensions.
 pub const MOST_DIMENSIONS: usize = 256;
@@ -41,7 +39,7 @@ pub const MOST_DIMENSIONS: usize = 256;
 const DIGITS: usize = 53;
 
 /// The table of Joe and Kuo; its licence lies beside it.
-const TABLE: &str = include_str!("data/joe_kuo.txt");
+const TABLE: &str = include_str!("sobol/joe_kuo.txt");
 
 /// For each axis the columns of its generator matrix, as whole numbers below 2^53 whose first digit
 /// is the highest bit; and the degree of its polynomial.
@@ -96,10 +94,6 @@ impl Sampler for Sobol {
         refused::check(n, d, MOST_DIMENSIONS)
     }
 
-    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
-        digital_points(self, n, d)
-    }
-
     fn net(&self, d: usize) -> Option<Net> {
         // Axis 0 has the identity, which is as good as degree 1.
         let t = MATRICES.iter().take(d).map(|(_, degree)| degree - 1).sum();
@@ -116,10 +110,6 @@ impl Sampler for Sobol {
 }
 
 impl Digital for Sobol {
-    fn radix(&self, _axis: usize) -> Radix {
-        const { Radix::new(2) }
-    }
-
     fn numerator(&self, index: u64, axis: usize) -> u64 {
         sobol_bits(index, axis)
     }

@@ -43,6 +43,7 @@ mod pictures;
 mod point_kinds;
 #[cfg(feature = "publish")]
 mod points;
+mod properties;
 #[cfg(feature = "publish")]
 mod review;
 mod settings;
