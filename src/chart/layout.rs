@@ -243,7 +243,7 @@ impl<'a> Cells<'a> {
         let title = titled(panel, frame.width);
         // A title of fewer lines than its neighbours' stands right above its panel.
         let head = (y + draw::TITLE * (frame.lines - title.len()) as f64, cell);
-        Plot { panel, title, index, rect, window, x_ticks, y_ticks, labelled, head, extent, direct, ruled }
+        Plot { panel, index, rect, window, x_ticks, y_ticks, labelled, title, head, extent, direct, ruled }
     }
 }
 

@@ -94,9 +94,9 @@ impl Rich {
             if let Some(line) = lines.last_mut() {
                 let joined = line.joined(&word);
                 if line.is_empty() || joined.clone().trimmed().width() <= width {
-                    *line = joined
+                    *line = joined;
                 } else {
-                    lines.push(word)
+                    lines.push(word);
                 }
             }
         };
@@ -109,7 +109,7 @@ impl Rich {
             }
         }
         place(&mut word, &mut lines);
-        lines.into_iter().map(|line| line.trimmed()).collect()
+        lines.into_iter().map(Self::trimmed).collect()
     }
 
     /// This and `other` behind it.

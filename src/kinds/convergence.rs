@@ -7,8 +7,8 @@
 //! An error that is zero, or not larger than the error of the reference itself, says nothing of the rate and has no place on
 //! a logarithmic axis: it is left out of the fit and the drawing, and counted in the value `unresolved`.
 //!
-//! Nets are whole only at the powers of their base: on demand the fit is that of the powers, which are marked, and the counts
-//! between them are a thin line with a slope of its own. Several integrands are a panel each.
+//! Nets are whole only at the powers of their base: on demand the powers alone are fitted and marked, and the counts between
+//! them are a thin line with a slope of its own. Several integrands are a panel each.
 
 use serde::{Deserialize, Serialize};
 
@@ -217,12 +217,8 @@ fn is_power(n: usize, base: usize) -> bool {
 
 /// What ends the names of values of the integrand `index`: nothing if it is the only one.
 fn panel(p: &Convergence, index: usize) -> String {
-    match p.integrands.get(index) {
-        Some(integrand) if p.integrands.len() > 1 => {
-            integrand.abouts().first().map_or(format!(".f{}", index + 1), |about| format!(".{}", about.key))
-        }
-        _ => String::new(),
-    }
+    let Some(integrand) = p.integrands.get(index).filter(|_| p.integrands.len() > 1) else { return String::new() };
+    integrand.abouts().first().map_or(format!(".f{}", index + 1), |about| format!(".{}", about.key))
 }
 
 /// The errors of every sampler for one integrand.
@@ -361,16 +357,18 @@ mod drawing {
         }
     }
 
-    /// The slopes at the ends of the lines, where they stand apart.
+    /// The slopes above the middles of the lines, where they stand apart.
     fn notes(errors: &Errors) -> Vec<Note> {
-        let last =
-            |curve: &&Curve| curve.marks.iter().rfind(|mark| mark.resolved).map(|mark| (mark.n as f64, mark.rmse));
-        let ends: Vec<((f64, f64), f64)> =
-            errors.curves.iter().filter_map(|curve| Some((last(&curve)?, curve.fit?.0))).collect();
-        let apart =
-            |at: f64, index: usize| ends.iter().take(index).all(|((_, other), _)| at / other > 1.8 || other / at > 1.8);
-        let alone = ends.iter().enumerate().filter(|(index, ((_, at), _))| apart(*at, *index));
-        alone.map(|(_, (at, slope))| Note::new(*at, fixed(*slope, 2)).corner(Corner::AboveLeft)).collect()
+        let middle = |curve: &Curve| {
+            let shown: Vec<&Mark> = curve.marks.iter().filter(|mark| mark.resolved).collect();
+            shown.get(shown.len() / 2).map(|mark| (mark.n as f64, mark.rmse))
+        };
+        let places: Vec<((f64, f64), f64)> =
+            errors.curves.iter().filter_map(|curve| Some((middle(curve)?, curve.fit?.0))).collect();
+        let far = |a: f64, b: f64| a / b > 1.8 || b / a > 1.8;
+        let apart = |at: f64, index: usize| places.iter().take(index).all(|((_, other), _)| far(at, *other));
+        let alone = places.iter().enumerate().filter(|(index, ((_, at), _))| apart(*at, *index));
+        alone.map(|(_, (at, slope))| Note::new(*at, fixed(*slope, 2)).corner(Corner::AboveRight)).collect()
     }
 
     /// The reference slopes: that of independent samples at its predicted height, the others through the first error.

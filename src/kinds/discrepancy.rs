@@ -233,7 +233,7 @@ fn expected(p: &Discrepancy, method: &Method, n: usize) -> Option<f64> {
         // Halton and Zaremba (1969), for n = 2^m.
         ("star-discrepancy", "hammersley", 2) if n.is_power_of_two() && n >= 4 => {
             let m = n.trailing_zeros();
-            let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if m.is_multiple_of(2) { 1.0 } else { -1.0 };
             Some((f64::from(m) / 3.0 + 13.0 / 9.0 - sign * 4.0 / (9.0 * count)) / count)
         }
         ("star-discrepancy", "centred-grid", 2) => Some((1.0 - 0.25 / count.sqrt()) / count.sqrt()),
@@ -250,8 +250,11 @@ fn fit(marks: &[Mark]) -> Option<(f64, Option<f64>)> {
     Some((line.slope, Some(line.slope_error).filter(|error| error.is_finite() && x.len() > 2)))
 }
 
+/// A sampler and its value.
+type End<'a> = (&'a str, f64);
+
 /// The samplers with the least and the greatest value at the largest count.
-fn extremes(data: &Data) -> Option<((&str, f64), (&str, f64))> {
+fn extremes(data: &Data) -> Option<(End<'_>, End<'_>)> {
     let ends = || data.curves.iter().filter_map(|curve| Some((curve.title.as_str(), curve.marks.last()?.mean)));
     let best = ends().filter(|end| end.1 > 0.0).min_by(|a, b| a.1.total_cmp(&b.1))?;
     let worst = ends().max_by(|a, b| a.1.total_cmp(&b.1))?;

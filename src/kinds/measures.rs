@@ -35,7 +35,7 @@ static ABOUT: About = About {
 
 parameters! {
     /// What a table of measures can choose.
-    pub struct Measures {
+    pub struct MeasureTable {
         /// The samplers, each with an optional scramble: one row each.
         samplers: Vec<Method> [or sampler],
         /// How many points each set has.
@@ -81,29 +81,29 @@ struct Kept {
 type One = (Vec<Option<f64>>, Kept);
 
 impl Kind for MeasuresKind {
-    type Parameters = Measures;
+    type Parameters = MeasureTable;
     type Data = Data;
 
     fn about(&self) -> &'static About {
         &ABOUT
     }
 
-    fn check(&self, p: &Measures, problems: &mut Problems<'_, '_>) {
+    fn check(&self, p: &MeasureTable, problems: &mut Problems<'_, '_>) {
         problems.admit("samplers", &p.samplers, &[p.n], p.dimensions);
     }
 
-    fn weight(&self, p: &Measures) -> u64 {
+    fn weight(&self, p: &MeasureTable) -> u64 {
         ((p.n * p.samplers.len()) as u64).saturating_mul(p.n as u64 * p.replicates as u64)
     }
 
-    fn run(&self, p: &Measures, seed: Seed) -> Result<Data, Failure> {
+    fn run(&self, p: &MeasureTable, seed: Seed) -> Result<Data, Failure> {
         let placing = Placing { kind: ABOUT.key, d: p.dimensions, seed };
         let all = placing.measured(&p.samplers, &[p.n], p.replicates, |_, points| Ok(one(p, points)))?;
         let row = |(method, sets): (&Method, Vec<Vec<One>>)| row(p, method, &sets.concat());
         Ok(Data { rows: p.samplers.iter().zip(all).map(row).collect() })
     }
 
-    fn values(&self, p: &Measures, data: &Data) -> Values {
+    fn values(&self, p: &MeasureTable, data: &Data) -> Values {
         let mut values = Values::new();
         for row in &data.rows {
             let name = &row.method;
@@ -123,7 +123,7 @@ impl Kind for MeasuresKind {
         values
     }
 
-    fn tables(&self, p: &Measures, data: &Data) -> Vec<Frame> {
+    fn tables(&self, p: &MeasureTable, data: &Data) -> Vec<Frame> {
         let mut frame = Frame::new("measures").text("sampler", data.rows.iter().map(|row| row.method.clone()));
         for (index, measure) in p.measures.iter().enumerate() {
             let number = |row: &Row| row.measured.get(index).copied().flatten().map_or(f64::NAN, |measured| measured.0);
@@ -139,17 +139,17 @@ impl Kind for MeasuresKind {
         vec![frame]
     }
 
-    fn draw(&self, p: &Measures, data: &Data, _: &Sheet) -> Result<Drawing, ChartError> {
+    fn draw(&self, p: &MeasureTable, data: &Data, _: &Sheet) -> Result<Drawing, ChartError> {
         Ok(drawing::draw(p, data))
     }
 
-    fn alt(&self, p: &Measures, data: &Data) -> Option<String> {
+    fn alt(&self, p: &MeasureTable, data: &Data) -> Option<String> {
         Some(drawing::alt(p, data))
     }
 }
 
 /// The measures of one set.
-fn one(p: &Measures, points: &Points) -> One {
+fn one(p: &MeasureTable, points: &Points) -> One {
     let measured = |measure: &Measure| metrics::measure(measure.metric(), points).ok().map(|measured| measured.value);
     let side = digits::root(p.n as u64, p.dimensions as u32) as usize;
     let grid = (side.checked_pow(p.dimensions as u32) == Some(p.n)).then(|| vec![side; p.dimensions]);
@@ -163,7 +163,7 @@ fn one(p: &Measures, points: &Points) -> One {
 }
 
 /// The row of a method from its sets.
-fn row(p: &Measures, method: &Method, sets: &[One]) -> Row {
+fn row(p: &MeasureTable, method: &Method, sets: &[One]) -> Row {
     let mean = |index: usize| {
         let values: Option<Vec<f64>> = sets.iter().map(|set| set.0.get(index).copied().flatten()).collect();
         values.filter(|values| !values.is_empty()).map(|values| mean_with_error(&values))
@@ -187,11 +187,11 @@ mod drawing {
 
     use std::fmt::Write as _;
 
-    use super::{Data, Measures, Row};
+    use super::{Data, MeasureTable, Row};
     use crate::chart::number::{integer, significant};
     use crate::chart::{Cell, Column, Drawing, Table};
 
-    pub(super) fn draw(p: &Measures, data: &Data) -> Drawing {
+    pub(super) fn draw(p: &MeasureTable, data: &Data) -> Drawing {
         let mut columns = vec![Column::left("sampler")];
         columns.extend(p.measures.iter().map(|measure| Column::right(format!("${}$", measure.symbol()))));
         if p.strata {
@@ -204,7 +204,7 @@ mod drawing {
         Drawing::Table(table)
     }
 
-    fn cells(p: &Measures, row: &Row) -> Vec<Cell> {
+    fn cells(p: &MeasureTable, row: &Row) -> Vec<Cell> {
         let mut cells = vec![Cell::text(row.title.as_str())];
         for (measure, measured) in p.measures.iter().zip(&row.measured) {
             cells.push(match measured {
@@ -226,7 +226,7 @@ mod drawing {
         cells
     }
 
-    pub(super) fn alt(p: &Measures, data: &Data) -> String {
+    pub(super) fn alt(p: &MeasureTable, data: &Data) -> String {
         let (n, d) = (integer(p.n as i64), p.dimensions);
         let mut text = format!("Measures of sets of {n} points in {d} dimension{}.", if d == 1 { "" } else { "s" });
         for (index, measure) in p.measures.iter().enumerate() {

@@ -235,7 +235,7 @@ fn side(p: &Points, n: usize) -> Option<usize> {
 /// Into how many slabs each axis is cut by elementary intervals, if they are not too many.
 fn cuts(p: &Points, Pair(k, l): Pair) -> Option<Vec<usize>> {
     let power = |exponent: usize| p.base.checked_pow(exponent as u32);
-    let cuts = vec![power(k)?, power(l)?];
+    let cuts = [power(k)?, power(l)?];
     cuts.iter().try_fold(1_usize, |all, &cut| all.checked_mul(cut)).filter(|&all| all <= 1 << 24)?;
     Some(cuts[..p.dimensions].to_vec())
 }
@@ -344,7 +344,7 @@ mod drawing {
             |at: f64| [-1.0, 0.0, 1.0].into_iter().filter(move |shift| (at + shift - 0.5).abs() < 0.5 + radius);
         let copies =
             points.iter().flat_map(|&(x, y)| shifts(x).flat_map(move |a| shifts(y).map(move |b| (x + a, y + b))));
-        Disks::new(copies.collect(), radius).style(Style::of(&set.method))
+        Disks::new(copies.collect(), radius).style(Style::new(Style::of(&set.method).role))
     }
 
     /// The unit interval, as a panel of little height.

@@ -214,7 +214,7 @@ fn curve(p: &Spectrum, method: &Method, placing: &Placing) -> Result<Curve, Fail
         Ok((powers, means))
     };
     let replicates = replicates_of(method, p.replicates);
-    let all: Vec<Result<(Powers, Vec<(usize, f64)>), Failure>> = (0..replicates).into_par_iter().map(one).collect();
+    let all: Vec<Result<_, Failure>> = (0..replicates).into_par_iter().map(one).collect();
     let (spectra, means): (Vec<Powers>, Vec<Vec<(usize, f64)>>) =
         all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
     let averaged = Powers::average(&spectra).ok_or_else(|| Failure::of("replicates", "there is no spectrum"))?;
