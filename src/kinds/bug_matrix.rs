@@ -149,9 +149,9 @@ mod drawing {
             Test::Kolmogorov => "KS",
             Test::Correlation => "pairs",
             Test::Rate => "rate",
-            Test::Comparison => "equal",
+            Test::Comparison => "means",
             Test::Strata => "strata",
-            Test::Repeats => "repeats",
+            Test::Repeats => "twice",
             Test::Range => "range",
         }
     }
@@ -177,7 +177,7 @@ mod drawing {
     /// frame about the test that is named for the bug.
     fn grid(p: &BugMatrix, data: &Data) -> Panel {
         let row = |index: usize| (BUGS.len() - index) as f64;
-        let heads = ["*z*", "*χ*^{2}", "KS", "pairs", "rate", "equal", "strata", "repeats", "range"];
+        let heads = ["*z*", "*χ*^{2}", "KS", "pairs", "rate", "means", "strata", "twice", "range"];
         let columns = heads.iter().enumerate().map(|(column, head)| (column as f64, Rich::new(head))).collect();
         let mut names: Vec<(f64, Rich)> =
             BUGS.iter().enumerate().map(|(index, bug)| (row(index), Rich::plain(bug.title))).collect();

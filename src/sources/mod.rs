@@ -132,7 +132,9 @@ impl<'a> Sources<'a> {
     fn linking(&self) -> BTreeSet<Entry<'a>> {
         let modules = self.files.keys().filter_map(|&file| {
             let (folder, rest) = file.split_once('/')?;
-            let entry = (folder, rest.strip_suffix(".rs")?);
+            // `name.rs`, or any file of the folder `name/`.
+            let entry =
+                (folder, rest.split_once('/').map_or_else(|| rest.strip_suffix(".rs"), |(name, _)| Some(name))?);
             let list = self.files.get_key_value(format!("{folder}/mod.rs").as_str())?.1;
             let declared = || lex::tokens(list).windows(3).any(|words| declares(words, entry.1));
             let links = !self.uses(file).is_empty() && self.listed.iter().any(|listed| listed.0 == folder);

@@ -181,15 +181,24 @@ fn every_kind_documents_its_parameters_and_its_defaults_read() {
             assert!(doc.meaning.ends_with('.') && !doc.type_name.is_empty(), "{}.{}: {doc:?}", about.key, doc.name);
         }
     }
-    let keys: Vec<&str> = KINDS.iter().map(|kind| kind.about().key).collect();
-    let fence = |key: &str| match key {
-        "points" => "samplers = \"independent\"",
-        "van-der-corput-table" => "",
-        "convergence" => "samplers = \"independent\"\nintegrand = \"exp-sin\"",
-        _ => "integrand = \"exp-sin\"",
+    // What must be written is enough; everything else has a default that reads.
+    let value = |name: &str| match name {
+        "samplers" => "\"independent\"",
+        "integrand" | "integrands" => "\"exp-sin\"",
+        "densities" => "\"1 + x\"",
+        "bug" => "\"rejection\"",
+        other => panic!("what can `{other}` be?"),
     };
-    for key in keys {
-        let planned = plan(&format!("kind = \"{key}\"\n{}", fence(key)));
-        assert!(planned.is_ok(), "{key}: {:?}", planned.err());
+    for kind in KINDS {
+        let mut fence = format!("kind = \"{}\"\n", kind.about().key);
+        for doc in kind.parameters().iter().filter(|doc| doc.required) {
+            fence += &format!("{} = {}\n", doc.name, value(doc.name));
+        }
+        // A law is either named or written.
+        if kind.about().key == "distribution" {
+            fence += "law = \"normal\"";
+        }
+        let planned = plan(&fence);
+        assert!(planned.is_ok(), "{fence}: {:?}", planned.err());
     }
 }

@@ -6,7 +6,7 @@ use crate::stats::portable;
 /// The integral of exp(x) from 0 to 1, which is e - 1, in every pixel.
 pub static BUG: Bug = Bug {
     key: "reused-offset",
-    title: "offset reused in every pixel",
+    title: "offset reused",
     dimensions: 1,
     exact: std::f64::consts::E - 1.0,
     right,

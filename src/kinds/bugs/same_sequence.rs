@@ -7,7 +7,7 @@ use super::{Bug, Numbers, Run, Source, Test};
 /// The integral of (x + y)^2 over the unit square, which is 7/6.
 pub static BUG: Bug = Bug {
     key: "same-sequence",
-    title: "one sequence, two decisions",
+    title: "same sequence twice",
     dimensions: 2,
     exact: 7.0 / 6.0,
     right,

@@ -6,7 +6,7 @@ use super::{Bug, Numbers, Run, Source, Test};
 /// The integral of x^2 from 0 to 1 and that of xy over the unit square, together 7/12, one of them chosen for each sample.
 pub static BUG: Bug = Bug {
     key: "shifted-dimensions",
-    title: "dimensions shifted by a branch",
+    title: "shifted dimensions",
     dimensions: 3,
     exact: 7.0 / 12.0,
     right,
