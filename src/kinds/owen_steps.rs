@@ -160,9 +160,9 @@ mod drawing {
         let ticks = [(0.0, "0"), (0.25, "1/4"), (0.5, "1/2"), (0.75, "3/4"), (1.0, "1")];
         let ticks = ticks.into_iter().map(|(at, label)| (at, label.into())).collect();
         let top = levels as f64;
-        let y = Axis::linear("").range(-1.05, top + 0.25).hidden();
+        let y = Axis::linear("").range(-1.3, top + 0.25).hidden();
         let x = Axis::linear("").range(0.0, 1.0).ticks_at(ticks);
-        let mut panel = Panel::new(x, y).ratio(0.11 * (top + 1.6));
+        let mut panel = Panel::new(x, y).ratio(0.11 * (top + 1.8));
         // A node at a level and its slab there.
         let place = |level: usize, slab: usize| ((slab as f64 + 0.5) / f64::from(1_u32 << level), top - level as f64);
         let edges = (1..=levels).flat_map(|level| (0..1 << level).map(move |slab| (level, slab)));
@@ -176,7 +176,7 @@ mod drawing {
             let width = 1.0 / f64::from(1_u32 << level);
             let half = |right: f64| {
                 let from = (slab as f64 + 0.5 * right) * width;
-                [(from, -0.75), (from + 0.5 * width, -0.05)]
+                [(from, -1.12), (from + 0.5 * width, -0.05)]
             };
             let styles = [Style::new(Role::Violet), Style::new(Role::Ochre)];
             if swap {
@@ -192,14 +192,14 @@ mod drawing {
             panel = panel.with(Segments::new(branches).style(style).width(2.4));
             panel = panel.with(Marks::new(vec![place(level, slab)]).style(style).size(9.0));
         }
-        let line = Segments::new(vec![[(0.0, -0.6), (1.0, -0.6)]]).style(Style::new(Role::Axis));
+        let line = Segments::new(vec![[(0.0, -0.95), (1.0, -0.95)]]).style(Style::new(Role::Axis));
         let at = |slab: u32| (f64::from(slab) + 0.5) / count;
-        let marks = Marks::new(slabs.iter().map(|&slab| (at(slab), -0.6)).collect());
+        let marks = Marks::new(slabs.iter().map(|&slab| (at(slab), -0.95)).collect());
         panel = panel.with(line).with(marks.style(Style::of(METHOD).marker(Marker::Disc)).size(9.0).tracked("p"));
         panel.with_all(slabs.iter().enumerate().map(|(leaf, &slab)| {
             let text = format!("{leaf:0levels$b}");
             let text = if levels > 4 { leaf.to_string() } else { text };
-            Note::new((at(slab), -0.1), text).corner(Corner::Below).tracked(format!("n{leaf}"))
+            Note::new((at(slab), -0.14), text).corner(Corner::Below).tracked(format!("n{leaf}"))
         }))
     }
 

@@ -38,9 +38,14 @@ pub(super) fn html(id: &str, stepper: &Stepper, rendering: &Rendering<'_>, told:
     rendering.templates.fill("stepper.html", &StepperPart { stepper: context }, told)
 }
 
-/// The words with printed apostrophes; formulas as they are.
+/// The words with printed apostrophes, and with what binds a full stop or a comma to the formula before it; formulas as they are.
 fn printed(caption: &str) -> String {
-    let parts = caption.split('$').enumerate();
-    let parts = parts.map(|(index, part)| if index % 2 == 0 { part.replace('\'', "’") } else { part.to_owned() });
-    parts.collect::<Vec<_>>().join("$")
+    let word = |(index, part): (usize, &str)| {
+        if index % 2 == 1 {
+            return part.to_owned();
+        }
+        let bound = index > 0 && part.starts_with(['.', ',', ':', ';', ')']);
+        format!("{}{}", if bound { "\u{2060}" } else { "" }, part.replace('\'', "’"))
+    };
+    caption.split('$').enumerate().map(word).collect::<Vec<_>>().join("$")
 }
