@@ -50,6 +50,7 @@ fn sizes() {
     let largest = pages.clone().max_by_key(|(_, bytes)| bytes.len()).expect("a book has pages");
     let drawings = composed.shown.iter().filter_map(|shown| match &shown.drawing {
         Drawing::Figure(figure) => Some(figure.svg.len()),
+        Drawing::Stepper(stepper) => Some(stepper.text().len()),
         Drawing::Table(_) => None,
     });
     let (plan, outcome) = many_points();

@@ -1,6 +1,6 @@
 //! Loops for the widest registers that the processor has, with the same bits for all.
 //!
-//! A function in [`vectorised!`] is compiled for AVX-512, for AVX2 and for the processors that the
+//! A function in `vectorised!` is compiled for AVX-512, for AVX2 and for the processors that the
 //! program is built for, and the best version is chosen when it is called. Rust rounds every
 //! operation as written, and the loops keep one order of operations whatever the registers, so that
 //! all versions give the same bits. [`at_most`] keeps to narrower ones, for tests of just this and

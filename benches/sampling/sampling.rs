@@ -2,7 +2,8 @@
 //! `cargo bench --manifest-path benches/sampling/Cargo.toml`.
 //!
 //! Times are for a whole batch; the counters give items a second, where an item is one coordinate
-//! (or one pair, or one frequency of one point).
+//! (or one pair, or one frequency of one point). What is compiled for several sets of instructions
+//! is measured on each that the processor has.
 
 #![allow(clippy::unwrap_used, reason = "a benchmark stops at the first mistake")]
 
@@ -13,9 +14,23 @@ use workbook::points::Points;
 use workbook::samplers::batch::{Finish, binary};
 use workbook::samplers::{Method, Sampler, halton::Halton, sobol::Sobol, zero_two::ZeroTwo};
 use workbook::seed::Seed;
+use workbook::vectors::{Path, at_most};
 
 fn main() {
     divan::main();
+}
+
+/// Each case on each path of instructions that the processor has: `Avx2 sobol 64`.
+fn on_paths(cases: &[&str]) -> Vec<String> {
+    let paths = || Path::ALL.into_iter().filter(|path| path.is_available());
+    cases.iter().flat_map(|case| paths().map(move |path| format!("{path:?} {case}"))).collect()
+}
+
+/// The path of a case, and its words.
+fn case(text: &str) -> (Path, Vec<&str>) {
+    let mut words = text.split(' ');
+    let name = words.next().unwrap();
+    (Path::ALL.into_iter().find(|path| format!("{path:?}") == name).unwrap(), words.collect())
 }
 
 fn points(name: &str, n: usize, d: usize) -> Points {
@@ -23,11 +38,11 @@ fn points(name: &str, n: usize, d: usize) -> Points {
 }
 
 /// Into memory that is there already: the generators alone.
-#[divan::bench(args = ["sobol 64", "sobol 2", "zero-two 2", "xor 64", "owen-hash 64", "owen-hash 2"])]
+#[divan::bench(args = on_paths(&["sobol 64", "sobol 2", "zero-two 2", "xor 64", "owen-hash 64", "owen-hash 2"]))]
 fn fill(bencher: Bencher, what: &str) {
-    let (kind, d) = what.split_once(' ').unwrap();
-    let d: usize = d.parse().unwrap();
-    let n = (1 << 14) / d;
+    let (path, words) = case(what);
+    let (kind, d) = (words[0], words[1].parse::<usize>().unwrap());
+    let n = (1 << 16) / d;
     let finish = match kind {
         "xor" => Finish::Mask(12345 << 21),
         "owen-hash" => Finish::Hash(12345),
@@ -37,7 +52,7 @@ fn fill(bencher: Bencher, what: &str) {
     let mut out = vec![0.0; n * d];
     bencher
         .counter(ItemsCount::new(n * d))
-        .bench_local(|| binary(digital.as_ref(), &vec![finish; d], black_box(&mut out)));
+        .bench_local(|| at_most(path, || binary(digital.as_ref(), &vec![finish; d], black_box(&mut out))));
 }
 
 /// 4096 points, allocation included.
@@ -75,6 +90,14 @@ fn random_access_direct(bencher: Bencher) {
             }
         }
         sum
+    });
+}
+
+#[divan::bench]
+fn random_access_four_at_once(bencher: Bencher) {
+    bencher.counter(ItemsCount::new(4096_u32)).bench(|| {
+        let point = |i| workbook::scrambles::owen_shuffled::sample_four(black_box(i), 0, 7);
+        (0..1024).map(point).map(|x| x.iter().sum::<f64>()).sum::<f64>()
     });
 }
 
@@ -154,22 +177,24 @@ fn their_rand_xoshiro(bencher: Bencher) {
         .bench_local(|| (0..32768).map(|_| generator.random::<f64>()).collect::<Vec<f64>>());
 }
 
-#[divan::bench(args = [(4096, 2), (100_000, 2), (1024, 3), (100, 4)], sample_count = 3, sample_size = 1)]
-fn star_discrepancy(bencher: Bencher, (n, d): (usize, usize)) {
+#[divan::bench(args = on_paths(&["4096 2", "100000 2", "1024 3", "100 4"]), sample_count = 10, sample_size = 1)]
+fn star_discrepancy(bencher: Bencher, what: &str) {
+    let (path, words) = case(what);
+    let [n, d] = [0, 1].map(|at| words[at].parse::<usize>().unwrap());
     let points = points("sobol+owen-hash", n, d);
-    bencher.counter(ItemsCount::new(n)).bench(|| star::star_discrepancy(&points).unwrap());
+    bencher.counter(ItemsCount::new(n)).bench(|| at_most(path, || star::star_discrepancy(&points).unwrap()));
 }
 
-#[divan::bench(args = ["centred 2", "wrap 2", "star 3"])]
+#[divan::bench(args = on_paths(&["centred 2", "wrap 2", "star 3"]))]
 fn l2_pairs(bencher: Bencher, what: &str) {
-    let (kind, d) = what.split_once(' ').unwrap();
-    let points = points("sobol+owen-hash", 4096, d.parse().unwrap());
-    let measure = match kind {
+    let (path, words) = case(what);
+    let points = points("sobol+owen-hash", 4096, words[1].parse().unwrap());
+    let measure = match words[0] {
         "centred" => l2::centred,
         "wrap" => l2::wrap_around,
         _ => l2::star,
     };
-    bencher.counter(ItemsCount::new(4096_u32 * 4097 / 2)).bench(|| measure(&points));
+    bencher.counter(ItemsCount::new(4096_u32 * 4097 / 2)).bench(|| at_most(path, || measure(&points)));
 }
 
 #[divan::bench(args = [4096, 65536])]
@@ -178,11 +203,14 @@ fn l2_star_in_the_plane(bencher: Bencher, n: usize) {
     bencher.counter(ItemsCount::new(n)).bench(|| l2::star(&points));
 }
 
-/// Per point and frequency of the whole plane.
-#[divan::bench]
-fn power_spectrum(bencher: Bencher) {
-    let points = points("jittered", 4096, 2);
-    bencher.counter(ItemsCount::new(4096_u64 * 257 * 257)).bench(|| spectrum::power(&points, 128).unwrap());
+/// Per point and frequency of the whole plane; the number is that of the points.
+#[divan::bench(args = on_paths(&["1024", "4096"]))]
+fn power_spectrum(bencher: Bencher, what: &str) {
+    let (path, words) = case(what);
+    let points = points("jittered", words[0].parse().unwrap(), 2);
+    bencher
+        .counter(ItemsCount::new(points.len() * 257 * 257))
+        .bench(|| at_most(path, || spectrum::power(&points, 128).unwrap()));
 }
 
 #[divan::bench(args = ["exp(sin(3*x^2))", "exp-sin"])]

@@ -65,6 +65,21 @@ impl<'a> Backend<'a> {
         writeln!(out, " d=\"{data}\"/>").map_err(wrong)
     }
 
+    /// Writes a closed path's data as a path that is stroked, and filled with this opacity in per cent.
+    pub fn body(&mut self, data: &str, ink: Ink, filled: u8) -> Drawn {
+        let Ink { role, dash, width, .. } = ink;
+        let (name, colour) = (role.name(), role.light());
+        self.open("path");
+        let out = &mut *self.out;
+        write!(out, " class=\"s-{name} f-{name}\" stroke=\"{colour}\" stroke-width=\"").map_err(wrong)?;
+        hundredths(width as i32, out);
+        if dash != Dash::Solid {
+            write!(out, "\" stroke-dasharray=\"{}", dash.lengths()).map_err(wrong)?;
+        }
+        let filled = f64::from(filled) / 100.0;
+        writeln!(out, "\" fill=\"{colour}\" fill-opacity=\"{filled}\" d=\"{data}\"/>").map_err(wrong)
+    }
+
     /// Writes a path's data as a filled path; `halo` is a border in the page's colour.
     pub fn fill(&mut self, data: &str, role: Role, opacity: u8, halo: bool) -> Drawn {
         self.open("path");
@@ -97,11 +112,14 @@ impl<'a> Backend<'a> {
     pub fn text(&mut self, rich: &Rich, at: BackendCoord, anchor: (HPos, VPos), role: Role, bold: bool) -> Drawn {
         self.open("text");
         let out = &mut *self.out;
-        write!(out, " class=\"f-{}\" fill=\"{}\" x=\"", role.name(), role.light()).map_err(wrong)?;
-        hundredths(at.0, out);
-        out.push_str("\" y=\"");
-        hundredths(at.1, out);
-        out.push('"');
+        write!(out, " class=\"f-{}\" fill=\"{}\"", role.name(), role.light()).map_err(wrong)?;
+        if self.tracked.is_none() {
+            out.push_str(" x=\"");
+            hundredths(at.0, out);
+            out.push_str("\" y=\"");
+            hundredths(at.1, out);
+            out.push('"');
+        }
         out.push_str(match anchor.1 {
             VPos::Top => " dy=\".72em\"",
             VPos::Center => " dy=\".35em\"",

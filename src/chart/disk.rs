@@ -32,7 +32,7 @@ impl Disks {
 /// Straight lines from point to point, each by itself.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Segments {
-    pub(super) segments: Vec<[(f64, f64); 2]>,
+    pub(super) pairs: Vec<[(f64, f64); 2]>,
     pub(super) style: Style,
     pub(super) label: Option<Rich>,
     pub(super) width: f64,
@@ -42,8 +42,8 @@ pub struct Segments {
 
 impl Segments {
     /// Segments from the first to the second point of each pair.
-    pub fn new(segments: Vec<[(f64, f64); 2]>) -> Self {
-        Self { segments, style: Style::INK, label: None, width: 1.25, opacity: 1.0, tracked: None }
+    pub fn new(pairs: Vec<[(f64, f64); 2]>) -> Self {
+        Self { pairs, style: Style::INK, label: None, width: 1.25, opacity: 1.0, tracked: None }
     }
 
     /// A pale spot behind each of these points, to point at them.
@@ -70,16 +70,24 @@ impl Segments {
 /// Rectangles between two opposite corners each, filled pale and outlined, as one element.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Boxes {
-    pub(super) boxes: Vec<[(f64, f64); 2]>,
+    pub(super) corners: Vec<[(f64, f64); 2]>,
     pub(super) style: Style,
     pub(super) label: Option<Rich>,
     pub(super) opacity: f64,
+    pub(super) outlined: bool,
 }
 
 impl Boxes {
     /// Boxes between the first and the second corner of each pair.
-    pub fn new(boxes: Vec<[(f64, f64); 2]>) -> Self {
-        Self { boxes, style: Style::ACCENT, label: None, opacity: 0.16 }
+    pub fn new(corners: Vec<[(f64, f64); 2]>) -> Self {
+        Self { corners, style: Style::ACCENT, label: None, opacity: 0.16, outlined: true }
+    }
+
+    /// Without an outline.
+    #[must_use]
+    pub fn plain(mut self) -> Self {
+        self.outlined = false;
+        self
     }
 
     /// Filled this much, from 0 to 1.
@@ -133,7 +141,9 @@ pub(super) fn outline(centre: (i32, i32), radii: (i32, i32), rect: Rect, closed:
         pair(rounded(to), out);
         if closed {
             let next = arcs[(index + 1) % arcs.len()].0;
-            corners(to, next, rect).into_iter().for_each(|corner| step("L", corner, out));
+            for corner in corners(to, next, rect) {
+                step("L", corner, out);
+            }
         }
     }
     if closed && !arcs.is_empty() {

@@ -128,16 +128,13 @@ impl<'p> Painter<'p, '_> {
         let radii = (length(window.x, rect.right - rect.left), length(window.y, rect.bottom - rect.top));
         let Style { role, dash, .. } = disks.style;
         let ink = Ink::new(role, 1.0).dash(dash);
-        if disks.opacity > 0.0 {
-            let ink = ink.opacity(disks.opacity);
-            self.shape(centres.clone(), Kind::Disks { radii, rect, ink, filled: true })?;
-        }
-        self.shape(centres, Kind::Disks { radii, rect, ink, filled: false })
+        let filled = (disks.opacity.clamp(0.0, 1.0) * 100.0).round() as u8;
+        self.shape(centres, Kind::Disks { radii, rect, ink, filled })
     }
 
     fn segments(&mut self, segments: &Segments) -> Result<(), ChartError> {
         let panel = self.plot.panel;
-        let line = segments.segments.iter().flat_map(|ends| {
+        let line = segments.pairs.iter().flat_map(|ends| {
             let places = positions(ends, panel.x.scale, panel.y.scale);
             std::iter::once(None).chain(places)
         });
@@ -160,14 +157,18 @@ impl<'p> Painter<'p, '_> {
             let places = positions(corners, panel.x.scale, panel.y.scale);
             let [Some(a), Some(b)] = places[..] else { return None };
             let [a, b] = [a, b].map(|p| (inside(p.0, window.x), inside(p.1, window.y)));
-            (a.0 != b.0 && a.1 != b.1).then(|| [a, (b.0, a.1), b, (a.0, b.1), a])
+            (a.0 != b.0 && a.1 != b.1).then_some([a, (b.0, a.1), b, (a.0, b.1)])
         };
-        let bodies: Vec<[(f64, f64); 5]> = boxes.boxes.iter().filter_map(body).collect();
-        let ends: Vec<usize> = (1..=bodies.len()).map(|index| index * 5).collect();
+        let bodies: Vec<[(f64, f64); 4]> = boxes.corners.iter().filter_map(body).collect();
+        let ends: Vec<usize> = (1..=bodies.len()).map(|index| index * 4).collect();
         let points = bodies.into_flattened();
         let ink = Ink::new(boxes.style.role, 1.25).dash(boxes.style.dash);
-        self.shape(points.clone(), Kind::Fill(ends.clone(), ink.opacity(boxes.opacity)))?;
-        self.shape(points, Kind::Stroke(ends, ink))
+        if boxes.outlined {
+            let filled = (boxes.opacity.clamp(0.0, 1.0) * 100.0).round() as u8;
+            self.shape(points, Kind::Body(ends, ink, filled))
+        } else {
+            self.shape(points, Kind::Fill(ends, ink.opacity(boxes.opacity)))
+        }
     }
 
     /// The points of a unit square where they are strictly inside their strata as written.

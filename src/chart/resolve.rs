@@ -110,8 +110,8 @@ impl Extent {
                     self.point((x + r, y + r), sx, sy);
                 });
             }
-            Layer::Segments(lines) => lines.segments.iter().flatten().for_each(|&p| self.point(p, sx, sy)),
-            Layer::Boxes(boxes) => boxes.boxes.iter().flatten().for_each(|&p| self.point(p, sx, sy)),
+            Layer::Segments(lines) => lines.pairs.iter().flatten().for_each(|&p| self.point(p, sx, sy)),
+            Layer::Boxes(boxes) => boxes.corners.iter().flatten().for_each(|&p| self.point(p, sx, sy)),
             Layer::Note(_) => {}
         }
     }

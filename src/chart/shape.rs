@@ -1,7 +1,7 @@
 //! Elements for plotters: series of lines, of fills and of marks, each one path; and rich text.
 
 use super::backend::{Backend, Drawn, pair, polyline};
-use super::disk;
+use super::disk::outline as disk;
 use super::layout::Rect;
 use super::palette::{Dash, Marker, Role};
 use super::text::Rich;
@@ -62,8 +62,10 @@ pub(super) enum Kind {
     Marks(Marker, i32, Role),
     /// A PNG in Base64 between two opposite corners.
     Image(String),
-    /// Disks of these radii in hundredths, cut off at a panel's border, filled or outlined.
-    Disks { radii: (i32, i32), rect: Rect, ink: Ink, filled: bool },
+    /// Closed polygons that end at these indices, outlined, and filled with this opacity in per cent.
+    Body(Vec<usize>, Ink, u8),
+    /// Disks of these radii in hundredths, cut off at a panel's border, outlined, and filled with this opacity in per cent.
+    Disks { radii: (i32, i32), rect: Rect, ink: Ink, filled: u8 },
     /// Another kind that moves in a stepper as the element of this key: written at the origin and then moved to each point.
     Tracked(String, Box<Kind>),
     /// Text at each point: one.
@@ -103,14 +105,20 @@ impl Kind {
                 let at: Vec<BackendCoord> = at.collect();
                 if let [from, to] = at[..] { backend.image(data, from, to) } else { Ok(()) }
             }
+            Self::Body(ends, ink, filled) => backend.body(&pieces(at, ends, true), *ink, *filled),
             Self::Disks { radii, rect, ink, filled } => {
-                let mut data = String::new();
-                at.for_each(|at| disk::outline(at, *radii, *rect, *filled, &mut data));
-                match (data.is_empty(), filled) {
-                    (true, _) => Ok(()),
-                    (_, true) => backend.fill(&data, ink.role, ink.opacity, false),
-                    (_, false) => backend.stroke(&data, *ink),
+                let (mut closed, mut open) = (String::new(), String::new());
+                at.for_each(|at| {
+                    disk(at, *radii, *rect, true, &mut closed);
+                    disk(at, *radii, *rect, false, &mut open);
+                });
+                if *filled > 0 && closed == open && !closed.is_empty() {
+                    return backend.body(&closed, *ink, *filled);
                 }
+                if *filled > 0 && !closed.is_empty() {
+                    backend.fill(&closed, ink.role, *filled, false)?;
+                }
+                if open.is_empty() { Ok(()) } else { backend.stroke(&open, *ink) }
             }
             Self::Tracked(key, kind) => {
                 for place in at {

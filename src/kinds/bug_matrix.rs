@@ -10,7 +10,7 @@ use super::bugs::{BUGS, Battery, Form, Numbers, Test, battery, check_sampler, we
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::{About, Paper};
 use crate::chart::{ChartError, Drawing, Sheet};
-use crate::parameters::parameters;
+use crate::parameters::{choices, parameters};
 use crate::samplers::Method;
 use crate::seed::Seed;
 
@@ -35,11 +35,23 @@ static ABOUT: About = About {
     }],
 };
 
+choices! {
+    /// What is drawn.
+    pub enum Show {
+        /// A table whose cells say with which numbers a test catches a bug.
+        Table = "table",
+        /// A figure with a mark for each.
+        Figure = "figure",
+    }
+}
+
 parameters! {
     /// What a matrix of bugs can choose.
     pub struct BugMatrix {
         /// The quasi-random numbers: a sequence that is randomised. The test of the rate expects that of nets with Owen's scrambling.
         sampler: Method = "sobol+owen",
+        /// Whether a table or a figure is drawn.
+        @drawn show: Show = "table",
     }
 }
 
@@ -111,8 +123,8 @@ impl Kind for BugMatrixKind {
         vec![frame]
     }
 
-    fn draw(&self, _: &BugMatrix, data: &Data, _: &Sheet) -> Result<Drawing, ChartError> {
-        Ok(drawing::draw(data))
+    fn draw(&self, p: &BugMatrix, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
+        drawing::draw(p, data, sheet)
     }
 
     fn alt(&self, p: &BugMatrix, data: &Data) -> Option<String> {
@@ -124,8 +136,10 @@ mod drawing {
     //! The matrix, and its words.
 
     use super::super::bugs::{BUGS, Battery, Form, Numbers, Test};
-    use super::{BugMatrix, Data};
-    use crate::chart::{Cell, Column, Drawing, Table};
+    use super::{BugMatrix, Data, Show};
+    use crate::chart::{
+        Axis, Cell, Chart, ChartError, Column, Drawing, Key, Marks, Panel, Region, Rich, Sheet, Style, Table,
+    };
 
     /// The head of a test's column.
     fn head(test: Test) -> &'static str {
@@ -152,7 +166,54 @@ mod drawing {
         }
     }
 
-    pub(super) fn draw(data: &Data) -> Drawing {
+    pub(super) fn draw(p: &BugMatrix, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
+        match p.show {
+            Show::Table => Ok(Drawing::Table(table(data))),
+            Show::Figure => Ok(Chart::new(grid(p, data)).key(Key::Above).draw(sheet)?.into()),
+        }
+    }
+
+    /// A row for each bug and a column for each test: a mark on the left for random numbers, on the right for quasi-random ones, and a
+    /// frame about the test that is named for the bug.
+    fn grid(p: &BugMatrix, data: &Data) -> Panel {
+        let row = |index: usize| (BUGS.len() - index) as f64;
+        let heads = ["*z*", "*χ*^{2}", "KS", "pairs", "rate", "equal", "strata", "repeats", "range"];
+        let columns = heads.iter().enumerate().map(|(column, head)| (column as f64, Rich::new(head))).collect();
+        let mut names: Vec<(f64, Rich)> =
+            BUGS.iter().enumerate().map(|(index, bug)| (row(index), Rich::plain(bug.title))).collect();
+        names.push((0.0, Rich::plain("right programs")));
+        let marks = |numbers: Numbers, shift: f64| {
+            let mut marks = Vec::new();
+            for (column, test) in Test::ALL.into_iter().enumerate() {
+                let x = column as f64 + shift;
+                let caught = data.batteries.iter().enumerate();
+                let caught = caught.filter(|(_, battery)| battery.catches(test, Form::Planted, numbers));
+                marks.extend(caught.map(|(index, _)| (x, row(index))));
+                if data.batteries.iter().any(|battery| battery.catches(test, Form::Right, numbers)) {
+                    marks.push((x, 0.0));
+                }
+            }
+            Marks::new(marks).size(8.0)
+        };
+        let frames = BUGS.iter().enumerate().filter_map(|(index, bug)| {
+            let column = Test::ALL.iter().position(|test| *test == bug.caught_by.0)? as f64;
+            let (x, y) = ((column - 0.42, row(index) - 0.4), (column + 0.42, row(index) + 0.4));
+            Some(Region::new(x, y).style(Style::MUTED))
+        });
+        let x = Axis::linear("").range(-0.6, Test::ALL.len() as f64 - 0.4).ticks_at(columns);
+        let y = Axis::linear("").range(-0.6, BUGS.len() as f64 + 0.6).ticks_at(names);
+        Panel::new(x, y)
+            .ratio(0.95)
+            .with_all(frames)
+            .with(marks(Numbers::Random, -0.18).style(Style::of("independent")).label("with random numbers"))
+            .with(
+                marks(Numbers::Quasi, 0.18)
+                    .style(Style::of("sobol"))
+                    .label(Rich::plain(&format!("with {}", p.sampler.title()))),
+            )
+    }
+
+    fn table(data: &Data) -> Table {
         let mut columns = vec![Column::left("Planted bug")];
         columns.extend(Test::ALL.map(|test| Column::centre(head(test))));
         let mut table = Table::new(columns);
@@ -172,7 +233,7 @@ mod drawing {
         }));
         table.push(cells);
         table.footers = 1;
-        Drawing::Table(table)
+        table
     }
 
     pub(super) fn alt(p: &BugMatrix, data: &Data) -> String {

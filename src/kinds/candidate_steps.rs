@@ -176,7 +176,7 @@ mod drawing {
         }
         let others = choice.candidates.iter().enumerate().filter(|(index, _)| *index != choice.winner as usize);
         let others = others.map(|(_, candidate)| candidate.0).collect();
-        panel = panel.with(Marks::new(others).style(Style::new(Role::Axis).marker(Marker::Ring)).size(7.0));
+        panel = panel.with(Marks::new(others).style(Style::new(Role::Muted)).size(5.0));
         panel.with(Marks::new(choice.won().map(|won| won.0).into_iter().collect()).style(Style::ACCENT).size(9.0))
     }
 

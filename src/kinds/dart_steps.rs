@@ -142,11 +142,12 @@ mod drawing {
     use super::{Dart, DartSteps, Data, steps};
     use crate::chart::number::fixed;
     use crate::chart::{
-        Axis, Chart, ChartError, Disks, Drawing, Key, Line, Marker, Marks, Panel, Role, Segments, Sheet, Steps, Style,
+        Axis, Chart, ChartError, Corner, Dash, Disks, Drawing, Key, Line, Marker, Marks, Note, Panel, Role, Segments,
+        Sheet, Steps, Style,
     };
 
     pub(super) fn draw(p: &DartSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(290.0);
+        let mut steps = Steps::new().small(290.0).key_steps([p.tries / 3 + 1, 2 * p.tries / 3 + 1]);
         for (index, dart) in data.darts.iter().enumerate() {
             let darts = &data.darts[..=index];
             let panels = vec![square(p, darts), tally(p, data, darts)];
@@ -157,24 +158,20 @@ mod drawing {
 
     fn square(p: &DartSteps, darts: &[Dart]) -> Panel {
         let mut panel = Panel::unit_square();
-        let style = Style::of("dart-throwing").marker(Marker::Disc);
+        let style = Style::of("dart-throwing").marker(Marker::Disc).dash(Dash::Solid);
         for dart in darts.iter().filter(|dart| dart.blocked.is_none()) {
             panel = panel.with(Disks::new(steps::copies(dart.at, p.radius), p.radius).style(style));
         }
         for dart in darts.iter().filter(|dart| dart.blocked.is_none()) {
             panel = panel.with(Marks::new(vec![dart.at]).style(style).size(7.0));
         }
-        let (last, before) = darts.split_last().map_or((None, darts), |(last, before)| (Some(last), before));
-        for dart in before.iter().filter(|dart| dart.blocked.is_some()) {
+        for dart in darts.iter().filter(|dart| dart.blocked.is_some()) {
             panel =
-                panel.with(Marks::new(vec![dart.at]).style(Style::new(Role::Muted).marker(Marker::Cross)).size(6.0));
+                panel.with(Marks::new(vec![dart.at]).style(Style::new(Role::Muted).marker(Marker::Cross)).size(7.0));
         }
-        if let Some((dart, (near, _))) = last.and_then(|dart| Some((dart, dart.blocked?))) {
-            panel = panel
-                .with(Segments::new(steps::shortest(dart.at, near)).style(Style::ACCENT))
-                .with(Marks::new(vec![dart.at]).style(Style::ACCENT.marker(Marker::Cross)).size(10.0));
-        } else if let Some(dart) = last {
-            panel = panel.with(Segments::spots([dart.at]));
+        if let Some(dart) = darts.last() {
+            let way = dart.blocked.map_or_else(Vec::new, |(near, _)| steps::shortest(dart.at, near));
+            panel = panel.with(Segments::new(way).style(Style::ACCENT)).with(Segments::spots([dart.at]).tracked("new"));
         }
         panel.title("darts")
     }
@@ -190,7 +187,8 @@ mod drawing {
         let all = Line::new(vec![(0.0, 0.0), (most, most)]).style(Style::THEORY).width(1.0);
         let x = Axis::linear("tries").range(0.0, p.tries as f64 + 1.0);
         let y = Axis::linear("").range(0.0, most * 1.06);
-        Panel::new(x, y).title("accepted").ratio(1.0).with(all).with_all(points)
+        let all = Panel::new(x, y).title("accepted").ratio(1.0).with(all);
+        all.with(Note::new((most, most), "all").corner(Corner::BelowRight).role(Role::Axis)).with_all(points)
     }
 
     fn caption(number: usize, dart: &Dart) -> String {

@@ -124,11 +124,11 @@ mod drawing {
 
     use super::{Data, DigitSteps};
     use crate::chart::{
-        Axis, Boxes, Chart, ChartError, Corner, Drawing, Key, Note, Panel, Role, Segments, Sheet, Steps, Style,
+        Axis, Boxes, Chart, ChartError, Corner, Drawing, Key, Marks, Note, Panel, Role, Sheet, Steps, Style,
     };
 
     pub(super) fn draw(p: &DigitSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(290.0);
+        let mut steps = Steps::new().small(290.0).key_steps([1, data.digits.len() / 2 + 1]);
         for moved in 0..=data.digits.len() {
             steps.push(Chart::new(panel(p, data, moved)).key(Key::Hidden), caption(p, data, moved));
         }
@@ -143,10 +143,10 @@ mod drawing {
     /// The digits after `moved` of them were reflected: the point is at 0, a place is 1 wide.
     fn panel(p: &DigitSteps, data: &Data, moved: usize) -> Panel {
         let count = data.digits.len() as f64;
-        let wide = (count + 0.8).max(4.0);
+        let wide = (count + 0.5).max(4.0);
         let x = Axis::linear("").range(-wide, wide).hidden();
         let mut panel = Panel::new(x, Axis::linear("").range(-1.6, 1.5).hidden()).ratio(0.8 / wide.max(2.6));
-        let at = |place: usize, right: bool| if right { place as f64 + 0.5 } else { -(place as f64) - 0.5 };
+        let at = |place: usize, right: bool| if right { place as f64 + 0.7 } else { -(place as f64) - 0.7 };
         let cell = |place: usize, right: bool| {
             let x = at(place, right);
             [(x - 0.44, -0.5), (x + 0.44, 0.5)]
@@ -154,8 +154,7 @@ mod drawing {
         let cells = |right: bool| (0..data.digits.len()).map(|place| cell(place, right)).collect();
         panel = panel.with(Boxes::new(cells(false)).style(Style::new(Role::Strata)).opacity(0.06));
         panel = panel.with(Boxes::new(cells(true)).style(Style::new(Role::Blue)).opacity(0.1));
-        panel = panel.with(Segments::spots([(0.0, -0.42)]).style(Style::INK).width(6.0));
-        panel = panel.with(Segments::new(vec![[(0.0, -1.0), (0.0, 0.95)]]).style(Style::MUTED).width(0.8));
+        panel = panel.with(Marks::new(vec![(0.0, -0.42)]).size(6.0));
         for (place, &digit) in data.digits.iter().enumerate() {
             let base = p.base;
             let weight = |text: String, right: bool| {

@@ -40,7 +40,7 @@ parameters! {
         /// The sampler, with an optional scramble.
         sampler: Method = "independent",
         /// The counts, one step each.
-        n: Counts [in 1..=256] = "2^0..2^6",
+        n: Counts [in 1..=256] = "2^0..2^5",
     }
 }
 
@@ -55,7 +55,7 @@ pub struct Data {
 }
 
 /// Into how many pieces the curve is cut.
-const PIECES: usize = 96;
+const PIECES: usize = 64;
 
 impl Kind for EstimatorStepsKind {
     type Parameters = EstimatorSteps;
@@ -126,12 +126,12 @@ mod drawing {
     use super::{Data, EstimatorSteps, PIECES, Place};
     use crate::chart::number::{fixed, significant};
     use crate::chart::{
-        Area, Axis, Bars, Chart, ChartError, Drawing, Key, Layer, Line, Marks, Panel, Rule, Segments, Sheet, Steps,
-        Style,
+        Area, Axis, Boxes, Chart, ChartError, Drawing, Key, Layer, Line, Panel, Rule, Segments, Sheet, Steps, Style,
     };
 
     pub(super) fn draw(_: &EstimatorSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new();
+        let count = data.steps.len();
+        let mut steps = Steps::new().small(290.0).key_steps([count / 3 + 1, 2 * count / 3 + 1]);
         for (samples, estimate) in &data.steps {
             steps.push(Chart::new(panel(data, samples, *estimate)).key(Key::Above), caption(data, samples, *estimate));
         }
@@ -146,23 +146,25 @@ mod drawing {
         let y = Axis::linear("").range(if low < 0.0 { low - pad } else { 0.0 }, high + pad);
         let mut panel = Panel::new(Axis::linear("*x*").range(0.0, 1.0), y);
         let n = samples.len() as f64;
-        let edges: Vec<f64> = (0..=samples.len()).map(|index| index as f64 / n).collect();
-        let tops: Vec<f64> = samples.iter().map(|sample| sample.1).collect();
+        let edge = |index: usize| index as f64 / n;
+        let tops = samples.iter().map(|sample| sample.1).enumerate();
         let boxes: Layer = if samples.len() <= 16 {
-            Bars::new(edges, tops).label("*N* boxes").into()
+            let boxes = tops.map(|(index, top)| [(edge(index), 0.0), (edge(index + 1), top)]).collect();
+            Boxes::new(boxes).style(Style::FILL).opacity(0.4).label("*N* boxes").into()
         } else {
-            let stairs = edges.into_iter().zip(tops.iter().copied().chain(tops.last().copied())).collect();
+            let last = samples.last().map(|sample| (1.0, sample.1));
+            let stairs = tops.map(|(index, top)| (edge(index), top)).chain(last).collect();
             Area::new(stairs).stepped().style(Style::FILL).label("*N* boxes").into()
         };
         let curve = data.curve.iter().enumerate().map(|(piece, &height)| (piece as f64 / PIECES as f64, height));
         panel = panel.with(boxes).with(Line::new(curve.collect()).label("*f*(*x*)"));
         panel = panel.with_all(data.exact.map(|exact| Rule::horizontal(exact).style(Style::EXACT).label("exact")));
         panel = panel.with(Rule::horizontal(estimate).style(Style::ACCENT).label("mean"));
-        if samples.len() <= 64 {
+        if samples.len() <= 32 {
             let feet = samples.iter().map(|&(x, y)| [(x, y), (x, y)]).collect();
             panel = panel.with(Segments::new(feet).width(5.0).style(Style::ACCENT));
         }
-        panel.with(Marks::new(Vec::new()))
+        panel
     }
 
     fn caption(data: &Data, samples: &[Place], estimate: f64) -> String {

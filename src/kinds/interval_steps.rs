@@ -71,7 +71,8 @@ impl Kind for IntervalStepsKind {
         problems.admit("samplers", &p.samplers, &[p.n], 2);
         if logarithm(p.n as u64, p.base as u32).is_none() {
             let message = format!("{} is no power of the base {}", p.n, p.base);
-            let power = (1..).map(|m| p.base.pow(m)).take_while(|&power| power <= p.n).last().unwrap_or(p.base);
+            let powers = std::iter::successors(Some(p.base), |power| Some(power * p.base));
+            let power = powers.take_while(|&power| power <= p.n).last().unwrap_or(p.base);
             let help = format!("the nearest powers are {power} and {}", power * p.base);
             problems.at("n", Code::Count, message, Some(help));
         }
@@ -143,20 +144,25 @@ mod drawing {
     use std::fmt::Write as _;
 
     pub(super) fn draw(p: &IntervalSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(if data.sets.len() > 1 { 290.0 } else { 190.0 });
+        let mut steps = match data.sets.len() {
+            1 => Steps::new(),
+            _ => Steps::new().small(290.0).key_steps([1, data.shapes.len() / 2 + 1]),
+        };
         for (index, &(columns, rows)) in data.shapes.iter().enumerate() {
             let panels = data.sets.iter().map(|set| panel(data, set, index)).collect();
             let count = |set: &Set| set.violated.get(index).map_or(0, Vec::len);
-            let mut caption = format!("${columns} \\times {rows}$ elementary intervals of volume $1/{}$", p.n);
+            let mut caption = format!("${columns} \\times {rows}$ elementary intervals of volume 1/{}", p.n);
             if let [set] = data.sets.as_slice() {
                 match count(set) {
                     0 => caption.push_str(": one point in each."),
                     1 => caption.push_str(": one does not hold exactly one point."),
-                    many => caption += &format!(": {many} do not hold exactly one point."),
+                    many => {
+                        let _ = write!(caption, ": {many} do not hold exactly one point.");
+                    }
                 }
             } else {
                 let counts: Vec<String> = data.sets.iter().map(|s| format!("{} {}", s.title, count(s))).collect();
-                caption += &format!(", violated: {}.", counts.join(", "));
+                let _ = write!(caption, ", violated: {}.", counts.join(", "));
             }
             steps.push(Chart::grid(panels).key(Key::Hidden), caption);
         }

@@ -228,7 +228,9 @@ fn follow(digits: usize) -> Ends {
             // The path has met itself: what follows that place is a new cycle.
             let cycle = path.split_off(place[number]);
             let least = cycle.iter().copied().min().unwrap_or(0);
-            cycle.iter().for_each(|&member| ends[member] = Some(End { tail: 0, cycle: cycles.len() }));
+            for &member in &cycle {
+                ends[member] = Some(End { tail: 0, cycle: cycles.len() });
+            }
             cycles.push((least as u64, cycle.len() as u64, 0));
         }
         let mut end = ends[number].unwrap_or(End { tail: 0, cycle: 0 });
@@ -238,7 +240,9 @@ fn follow(digits: usize) -> Ends {
         }
     }
     let of: Vec<End> = ends.into_iter().flatten().collect();
-    of.iter().for_each(|end| cycles[end.cycle].2 += 1);
+    for end in &of {
+        cycles[end.cycle].2 += 1;
+    }
     // In the order of their least numbers, whatever seed found them.
     let mut order: Vec<usize> = (0..cycles.len()).collect();
     order.sort_unstable_by_key(|&cycle| cycles[cycle].0);

@@ -27,6 +27,7 @@ mod projections;
 mod radical;
 mod render;
 mod running_mean;
+mod spectral_error;
 mod spectrum;
 mod strata_count;
 mod van_der_corput_table;
@@ -48,6 +49,7 @@ mod shuffle_steps;
 mod steps;
 mod xor_steps;
 
+mod averaging;
 mod bias;
 mod buffon;
 mod bug;
@@ -77,6 +79,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &projections::PROJECTIONS,
     &strata_count::STRATA_COUNT,
     &spectrum::SPECTRUM,
+    &spectral_error::SPECTRAL_ERROR,
     &discrepancy::DISCREPANCY,
     &measures::MEASURES,
     &koksma_hlawka::KOKSMA_HLAWKA,
@@ -104,6 +107,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &bug::BUG,
     &bug_matrix::BUG_MATRIX,
     &render::RENDER,
+    &averaging::AVERAGING,
     &dart_steps::DART_STEPS,
     &candidate_steps::CANDIDATE_STEPS,
     &line_steps::LINE_STEPS,

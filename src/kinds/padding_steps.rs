@@ -155,7 +155,7 @@ mod drawing {
     };
 
     pub(super) fn draw(p: &PaddingSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(290.0).key_steps([1, 3, 4]);
+        let mut steps = Steps::new().small(290.0).key_steps([1]);
         let words = [
             "Three stratified sets, numbered in the order of their strata: sample by sample they would all say the same.",
             "The order of $t$ is shuffled: the number of a slab tells nothing any more.",
@@ -189,17 +189,29 @@ mod drawing {
         panel = panel.with_all(chosen.and_then(|index| places.get(index)).map(|&at| Segments::spots([at])));
         panel = panel.with(Marks::new(places.to_vec()).style(Style::new(Role::Slate)).size(6.0).tracked("p"));
         panel.with_all(places.iter().enumerate().map(|(index, &(x, y))| {
-            // On the line the numbers stand on steps, lest they touch.
-            let lift = if line { 0.04 + 0.075 * (index % 4) as f64 } else { 0.0 };
-            let corner = match (line, x > 0.86) {
-                (true, _) => Corner::Above,
-                (false, true) => Corner::AboveLeft,
-                (false, false) => Corner::AboveRight,
-            };
-            let corner = if !line && y > 0.9 { Corner::Below } else { corner };
-            let note = Note::new((x, y + lift), (index + 1).to_string()).corner(corner);
-            note.tracked(format!("n{index}"))
+            // On the line the numbers stand on stairs, lest they touch.
+            let rank = places.iter().filter(|other| other.0 < x).count();
+            let lift = if line { 0.03 + 0.1 * (rank % 3) as f64 } else { 0.0 };
+            let corner = if line { Corner::Above } else { free(places, (x, y)) };
+            Note::new((x, y + lift), (index + 1).to_string()).corner(corner).tracked(format!("n{index}"))
         }))
+    }
+
+    /// The first corner of a point of the square that no other point and no border takes.
+    fn free(places: &[Place], (x, y): Place) -> Corner {
+        let corners = [
+            (Corner::AboveRight, 0.065, 0.075),
+            (Corner::AboveLeft, -0.065, 0.075),
+            (Corner::BelowRight, 0.065, -0.075),
+            (Corner::BelowLeft, -0.065, -0.075),
+        ];
+        let is_free = |&&(_, dx, dy): &&(Corner, f64, f64)| {
+            let at = (x + dx, y + dy);
+            let inside = |v: f64| (0.03..=0.97).contains(&v);
+            let near = |other: &&Place| (other.0 - at.0).abs() < 0.07 && (other.1 - at.1).abs() < 0.07;
+            inside(at.0) && inside(at.1) && !places.iter().any(|other| near(&other))
+        };
+        corners.iter().find(is_free).map_or(Corner::AboveRight, |corner| corner.0)
     }
 
     pub(super) fn alt(p: &PaddingSteps, data: &Data) -> String {

@@ -124,12 +124,14 @@ fn error(n: usize) -> f64 {
 mod drawing {
     //! The darts, and their words.
 
+    use std::fmt::Write as _;
+
     use super::{Data, PiSteps, Place, error, estimate};
     use crate::chart::number::{fixed, integer, significant};
     use crate::chart::{Chart, ChartError, Disks, Drawing, Key, Marker, Marks, Panel, Role, Sheet, Steps, Style};
 
     pub(super) fn draw(p: &PiSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new();
+        let mut steps = Steps::new().key_steps([data.steps.len() / 3 + 1, 2 * data.steps.len() / 3 + 1]);
         for (index, (places, inside)) in data.steps.iter().enumerate() {
             let chart = Chart::new(panel(data, &data.steps[..=index])).key(Key::Above);
             let n = places.len();
@@ -138,7 +140,7 @@ mod drawing {
                 fixed(estimate(places, *inside), 4)
             );
             if p.sampler.name() == "independent" {
-                caption += &format!(", with a standard error of {}", significant(error(n), 2));
+                let _ = write!(caption, ", with a standard error of {}", significant(error(n), 2));
             }
             steps.push(chart, caption + ".");
         }

@@ -118,7 +118,9 @@ impl Kind for QuadratureKind {
                 }
             }
             for (method, errors) in [("midpoint", &panel.midpoint), (name.as_str(), &panel.sampled)] {
-                errors.iter().for_each(|(n, error)| values.number(format!("error.{method}.d{d}.{n}"), *error));
+                for (n, error) in errors {
+                    values.number(format!("error.{method}.d{d}.{n}"), *error);
+                }
             }
         }
         values

@@ -159,36 +159,33 @@ fn set(places: Vec<Place>, shapes: &[(usize, usize)]) -> Set {
 mod drawing {
     //! The randomisations, and their words.
 
-    use super::{Data, RandomisationSteps, Set};
+    use super::{Data, Method, RandomisationSteps, Set};
     use crate::chart::{Chart, ChartError, Drawing, Key, Marker, Marks, Panel, Sheet, Steps, Strata, Style};
     use crate::kinds::steps;
     use std::fmt::Write as _;
 
     pub(super) fn draw(p: &RandomisationSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(if data.methods.len() > 1 { 290.0 } else { 190.0 }).key_steps([1, 2, 3]);
+        let mut steps = Steps::new().small(if data.methods.len() > 1 { 290.0 } else { 190.0 }).key_steps([1, 2]);
         for (number, sets) in data.steps.iter().enumerate() {
-            let panels = sets.iter().zip(&data.methods).map(|(set, method)| panel(data, set, method)).collect();
-            let count = |set: &Set| format!("{} of {} elementary intervals violated", set.violations, data.intervals);
+            let panels = sets.iter().zip(&p.samplers).map(|(set, method)| panel(data, set, method)).collect();
             let what = if number == 0 { "Not scrambled".to_owned() } else { format!("Randomisation {number}") };
-            let counts = match (sets.as_slice(), p.samplers.as_slice()) {
-                ([set], _) => count(set),
-                (sets, _) => {
-                    let each =
-                        sets.iter().zip(&data.methods).map(|(set, (_, title))| format!("{title}: {}", count(set)));
-                    each.collect::<Vec<_>>().join("; ")
-                }
-            };
-            steps.push(Chart::grid(panels).key(Key::Hidden), format!("{what}. {counts}."));
+            let counts: Vec<String> = sets.iter().map(|set| set.violations.to_string()).collect();
+            let are = if counts == ["1"] { "is" } else { "are" };
+            let (all, counts) = (data.intervals, counts.join(" and "));
+            let caption = format!("{what}: of {all} elementary intervals {counts} {are} violated.");
+            steps.push(Chart::grid(panels).key(Key::Hidden), caption);
         }
         Ok(steps.draw(sheet)?.into())
     }
 
-    fn panel(data: &Data, set: &Set, (name, title): &(String, String)) -> Panel {
+    fn panel(data: &Data, set: &Set, method: &Method) -> Panel {
+        // The scramble alone: with the sampler's the titles would touch in small drawings.
+        let title = method.scramble().map_or("", |scramble| scramble.about().title);
         let slabs = Strata::slabs(set.places.len() as u32);
         let panel = Panel::unit_square().strata(Strata::boxes(set.shape.0, set.shape.1)).keeping(slabs);
-        let panel = if data.methods.len() > 1 { panel.title(title.as_str()) } else { panel };
+        let panel = if data.methods.len() > 1 { panel.title(title) } else { panel };
         let panel = panel.with_all(steps::marked(&set.violated, set.shape));
-        let style = Style::of(name).marker(Marker::Disc);
+        let style = Style::of(&method.name()).marker(Marker::Disc);
         panel.with(Marks::new(set.places.clone()).style(style).size(8.0).tracked("p"))
     }
 

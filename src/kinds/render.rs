@@ -299,26 +299,31 @@ impl Plan {
     /// What this picture is called among the others, as part of a value's name and in words.
     fn names(&self, p: &Render) -> (String, String) {
         let Sampling { method, looks, lights, .. } = self.sampling;
-        let (mut name, mut title) = (method.name(), method.title());
-        let mut add = |differs: bool, part: String, words: String| {
+        let (mut name, mut words) = (method.name(), Vec::new());
+        let mut add = |differs: bool, part: &str, word: String| {
             if differs {
-                name.extend([".", &part]);
-                title.extend([", ", &words]);
+                name.extend([".", part]);
+                words.push(word);
             }
         };
         let n = looks * lights;
-        add(p.n.as_slice().len() > 1, n.to_string(), format!("{n} sample{}", if n == 1 { "" } else { "s" }));
-        add(p.light.len() > 1, format!("{looks}x{lights}"), format!("{looks}\u{2009}×\u{2009}{lights}"));
-        let words = match self.randomisation {
-            Randomisation::Pixel => "a seed for each pixel",
-            Randomisation::Shift => "a shift for each pixel",
-            Randomisation::Sequence => "one sequence",
-            Randomisation::Same => "the same in all pixels",
-            Randomisation::Tiled => "the same shifts in all tiles",
-            Randomisation::Diagonal => "one number shifts all axes",
+        add(p.n.as_slice().len() > 1, &n.to_string(), format!("{n} sample{}", if n == 1 { "" } else { "s" }));
+        add(p.light.len() > 1, &format!("{looks}x{lights}"), format!("{looks}\u{2009}×\u{2009}{lights}"));
+        let relation = match self.randomisation {
+            Randomisation::Pixel => "A seed for each pixel",
+            Randomisation::Shift => "A shift for each pixel",
+            Randomisation::Sequence => "One sequence",
+            Randomisation::Same => "The same in all pixels",
+            Randomisation::Tiled => "The same in all tiles",
+            Randomisation::Diagonal => "One shift for all axes",
         };
-        add(p.randomisation.len() > 1, self.randomisation.word().to_owned(), words.to_owned());
-        (name, title)
+        add(p.randomisation.len() > 1, self.randomisation.word(), relation.to_owned());
+        // A sampler that is the same in all pictures need not be told.
+        if p.samplers.len() > 1 || words.is_empty() {
+            words.iter_mut().for_each(|word| *word = word.to_lowercase());
+            words.insert(0, method.title());
+        }
+        (name, words.join(", "))
     }
 }
 
@@ -386,7 +391,7 @@ mod drawing {
     use std::fmt::Write as _;
 
     use super::{Data, Png, Render, Shot, Show, middle};
-    use crate::chart::number::significant;
+    use crate::chart::number::{fixed, significant};
     use crate::chart::{Axis, Chart, ChartError, Dash, Drawing, Figure, Line, Marker, Panel, Picture, Pictures, Role};
     use crate::chart::{Rule, Sheet, Style};
 
@@ -417,7 +422,8 @@ mod drawing {
 
     fn pictures(p: &Render, _: &Data, shot: &Shot) -> Option<Picture> {
         let error = significant(shot.errors.rmse, 2);
-        let padded = if shot.padded { ", padded" } else { "" };
+        // What was asked for need not be told.
+        let padded = if shot.padded && !p.padded { ", padded" } else { "" };
         let alt = format!(
             "{} by {}{padded}, {} samples a pixel: root mean square error {error}.",
             p.scene.about().title,
@@ -430,15 +436,17 @@ mod drawing {
     fn differences(_: &Render, data: &Data, shot: &Shot) -> Option<Picture> {
         let bias = significant(shot.errors.bias, 2);
         let alt = format!("What {} differs from the reference: on average by {bias}.", shot.title);
-        let note = format!("blue too dark, red too bright; full colour at ±{}", significant(data.full, 2));
+        let first = data.shots.first().is_some_and(|first| first.name == shot.name);
+        let colours = if first { "; blue is too dark, red too bright" } else { "" };
+        let note = format!("full colour at ±{}{colours}", significant(data.full, 2));
         item(shot, 1, format!("{}: error", shot.title), alt, note)
     }
 
     fn spectra(_: &Render, _: &Data, shot: &Shot) -> Option<Picture> {
         let peak = significant(shot.errors.peak, 2);
         let alt = format!("The power spectrum of the error of {}: the largest power is {peak}.", shot.title);
-        let note = format!("largest power {peak}; neighbours correlate by {}", significant(shot.errors.neighbours, 2));
-        item(shot, 2, format!("{}: spectrum of the error", shot.title), alt, note)
+        let note = format!("largest power {peak}; correlation of neighbours {}", fixed(shot.errors.neighbours, 2));
+        item(shot, 2, format!("{}: spectrum", shot.title), alt, note)
     }
 
     /// The radial means of the spectra.
@@ -466,7 +474,7 @@ mod drawing {
         for shot in &data.shots {
             let _ = write!(text, " {}: root mean square error {}", shot.title, significant(shot.errors.rmse, 2));
             if p.show.contains(&Show::Spectra) {
-                let correlation = significant(shot.errors.neighbours, 2);
+                let correlation = fixed(shot.errors.neighbours, 2);
                 let _ = write!(text, ", neighbouring errors correlate by {correlation}");
             }
             text.push('.');

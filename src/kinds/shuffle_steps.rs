@@ -196,8 +196,8 @@ fn jittered(n: usize, seed: Seed) -> Vec<Step> {
         (0..n).map(cell).collect()
     };
     let mut steps = vec![Step { axis: 0, part: 0, moved: Vec::new(), places: places([0, 0]) }];
-    for axis in 0..2 {
-        for part in 0..strata[axis].0 {
+    for (axis, &(own, _)) in strata.iter().enumerate() {
+        for part in 0..own {
             let done = if axis == 0 { [part + 1, 0] } else { [columns, part + 1] };
             let inside = |cell: &usize| if axis == 0 { cell % columns == part } else { cell / columns == part };
             let moved = (0..n).filter(inside).map(|cell| cell as u32).collect();

@@ -216,7 +216,7 @@ mod drawing {
             Column::left("Mean"),
             Column::right("$z$"),
             Column::right("$\\chi^2$: $p$"),
-            Column::left("Slope"),
+            Column::right("Slope"),
             Column::left("Verdict"),
         ]);
         for stage in &data.stages {
@@ -225,7 +225,7 @@ mod drawing {
                 Cell::estimate(stage.mean, stage.error.unwrap_or(f64::NAN)),
                 stage.z.map_or(Cell::Empty, |z| Cell::fixed(z, 2)),
                 Cell::fixed(stage.chi_square, 3),
-                stage.rate.map_or(Cell::Empty, |rate| Cell::estimate(rate.slope, rate.error.unwrap_or(f64::NAN))),
+                stage.rate.map_or(Cell::Empty, |rate| Cell::fixed(rate.slope, 2)),
                 Cell::text(if stage.passes() { "passes" } else { "fails" }),
             ]);
         }

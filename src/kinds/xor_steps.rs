@@ -134,7 +134,7 @@ mod drawing {
     };
 
     pub(super) fn draw(p: &XorSteps, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
-        let mut steps = Steps::new().small(290.0);
+        let mut steps = Steps::new().small(290.0).key_steps([1]);
         for step in 0..data.steps.len() {
             let panels = vec![table(p, data, step), line(p, data, step)];
             steps.push(Chart::grid(panels).columns(1).key(Key::Hidden), caption(data, step));
@@ -149,23 +149,23 @@ mod drawing {
         let y = Axis::linear("").range(-0.6, 3.5).hidden();
         let mut panel = Panel::new(Axis::linear("").range(-0.14, 1.0).hidden(), y).ratio(0.2);
         let mid = |index: usize| (index as f64 + 0.5) / count as f64;
-        let words = [(3.0, "*n*"), (2.0, "Φ(*n*)"), (1.0, "mask"), (0.0, "XOR")];
-        panel =
-            panel.with_all(words.map(|(y, word)| Note::new((-0.07, y), word).corner(Corner::Centre).role(Role::Axis)));
-        panel = panel.with(Segments::new(vec![[(-0.13, 0.5), (1.0, 0.5)]]).style(Style::MUTED).width(0.8));
         // The mask as far as it is applied.
         let mask: Vec<bool> = data.mask.iter().enumerate().map(|(bit, &set)| set && bit < step).collect();
-        for index in 0..count {
-            let note = |y: f64, text: String| Note::new((mid(index), y), text).corner(Corner::Centre);
-            let written = |number: u32| format!("{number:0width$b}", width = p.bits);
-            let place = |places: Option<&Vec<u32>>| places.and_then(|places| places.get(index)).copied().unwrap_or(0);
-            panel = panel
-                .with(note(3.0, index.to_string()).role(Role::Axis))
-                .with(note(2.0, written(place(first))))
-                .with(note(1.0, bits(&mask)).role(Role::Violet))
-                .with(note(0.0, written(place(now))).bold());
-        }
-        panel
+        let words = [(3.0, "*n*"), (2.0, "Φ(*n*)"), (1.0, "mask"), (0.0, "XOR")];
+        let word = |(y, word): (f64, &str)| Note::new((-0.07, y), word).corner(Corner::Centre).role(Role::Axis);
+        panel = panel.with_all(words.map(word));
+        panel = panel.with(Segments::new(vec![[(-0.13, 0.5), (1.0, 0.5)]]).style(Style::MUTED).width(0.8));
+        let note = |index: usize, y: f64, text: String| Note::new((mid(index), y), text).corner(Corner::Centre);
+        let written = |index: usize, places: Option<&Vec<u32>>| {
+            let place = places.and_then(|places| places.get(index)).copied().unwrap_or(0);
+            format!("{place:0width$b}", width = p.bits)
+        };
+        panel = panel.with_all((0..count).map(|index| note(index, 3.0, index.to_string()).role(Role::Axis)));
+        panel = panel.with_all((0..count).map(|index| note(index, 2.0, written(index, first))));
+        panel = panel.with(
+            Note::new((0.5, 1.0), format!("{} for every point", bits(&mask))).corner(Corner::Centre).role(Role::Violet),
+        );
+        panel.with_all((0..count).map(|index| note(index, 0.0, written(index, now)).bold()))
     }
 
     /// The points on the unit interval, with the halves that the last bit exchanged.

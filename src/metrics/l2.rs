@@ -213,7 +213,7 @@ impl Factor for Torus {
     }
 }
 
-/// One axis: what is made of each coordinate, and zeros up to whole blocks.
+/// One axis: what is made of each coordinate, and zeros up to whole lanes.
 type Axis = [Vec<f64>; 2];
 
 /// The sum over all pairs, ordered, of the product over axes of `factor`.
@@ -230,68 +230,49 @@ fn pairs(points: &Points, factor: impl Factor) -> f64 {
 }
 
 vectorised! {
-    /// The same, of `n` points that are prepared.
+    /// The same, of `n` points that are prepared; the same order of roundings on every processor.
     fn all_pairs<F: Factor>(axes: &[Axis], n: usize, factor: F) -> f64 {
         let mut total = Sum::default();
         for i in 0..n {
-            // Each pair counts twice, a point with itself once.
-            let mut own = 1.0;
-            for [a, b] in axes {
-                own *= factor.pair([a[i], b[i]], [a[i], b[i]]);
+            let mut lanes = [0.0; LANES];
+            let mut from = i + 1;
+            while from + LANES <= n {
+                let products = products(axes, i, from, factor);
+                for (lane, product) in lanes.iter_mut().zip(&products) {
+                    *lane += product;
+                }
+                from += LANES;
             }
-            total.add(2.0 * pairs_after(axes, n, i, factor) + own);
+            let (mut sum, mut rest) = (0.0, 0.0);
+            for product in &products(axes, i, from, factor)[..n - from] {
+                rest += product;
+            }
+            for lane in lanes {
+                sum += lane;
+            }
+            // Each pair counts twice, a point with itself once.
+            let own = products(axes, i, i, factor)[0];
+            total.add(2.0 * (sum + rest) + own);
         }
         total.value()
     }
 }
 
-/// The sum over the points after point i, lane by lane; the same order of roundings on every
-/// processor.
-#[inline(always)]
-fn pairs_after<F: Factor>(axes: &[Axis], n: usize, i: usize, factor: F) -> f64 {
-    let mut lanes = [0.0; LANES];
-    let mut from = i + 1;
-    while from + LANES <= n {
-        for half in 0..2 {
-            let products = products(axes, i, from + half * HALF, factor);
-            for (lane, product) in lanes[half * HALF..].iter_mut().zip(&products) {
-                *lane += product;
-            }
-        }
-        from += LANES;
-    }
-    let mut rest = 0.0;
-    for from in (from..n).step_by(HALF) {
-        for product in &products(axes, i, from, factor)[..HALF.min(n - from)] {
-            rest += product;
-        }
-    }
-    let mut sum = 0.0;
-    for lane in lanes {
-        sum += lane;
-    }
-    sum + rest
-}
-
 /// The products for point i and the points from `from` on.
 #[inline(always)]
-fn products<F: Factor>(axes: &[Axis], i: usize, from: usize, factor: F) -> [f64; HALF] {
-    let mut products = [1.0; HALF];
+fn products<F: Factor>(axes: &[Axis], i: usize, from: usize, factor: F) -> [f64; LANES] {
+    let mut products = [1.0; LANES];
     for [a, b] in axes {
         let own = [a[i], b[i]];
-        let (a, b) = (&a[from..][..HALF], &b[from..][..HALF]);
-        for lane in 0..HALF {
-            products[lane] *= factor.pair(own, [a[lane], b[lane]]);
+        for ((product, a), b) in products.iter_mut().zip(&a[from..from + LANES]).zip(&b[from..from + LANES]) {
+            *product *= factor.pair(own, [*a, *b]);
         }
     }
     products
 }
 
-/// Pairs whose sums are kept apart.
-const LANES: usize = 2 * HALF;
-
-/// Pairs side by side, in registers.
-const HALF: usize = 16;
+/// Pairs side by side.
+const LANES: usize = 32;
 
 /// The double sum of the star form in the plane, in n log n: points by falling x, so that the
 /// maximum in x is known, and prefix sums over y in a tree.

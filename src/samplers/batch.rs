@@ -47,8 +47,10 @@ pub fn binary(digital: &dyn Digital, finishes: &[Finish], out: &mut [f64]) -> bo
     match first {
         Finish::Plain => plain(&rows, out),
         Finish::Mask(_) => {
-            let masks = rows.repeat(|axis| if let Finish::Mask(mask) = repeated(axis) { mask } else { 0 });
-            masked(&rows, &masks, out);
+            let mask = |axis: usize| if let Finish::Mask(mask) = repeated(axis) { mask } else { 0 };
+            let masks = rows.repeat(|axis| (mask(axis) >> 21) as u32);
+            let lows = rows.repeat(|axis| (mask(axis) & ((1 << 21) - 1)) as f64 * super::digits::GRAIN);
+            masked(&rows, &masks, &lows, out);
         }
         Finish::Hash(_) => {
             let keys = rows.repeat(|axis| if let Finish::Hash(key) = repeated(axis) { key } else { 0 });
@@ -115,11 +117,13 @@ vectorised! {
 }
 
 vectorised! {
-    fn masked(rows: &Rows, masks: &[u64], out: &mut [f64]) {
+    /// `masks` are of the 32 digits of the words, `lows` what their further digits are worth: whole
+    /// numbers of 2^-53 below 2^-32, so that the sum is exact.
+    fn masked(rows: &Rows, masks: &[u32], lows: &[f64], out: &mut [f64]) {
         let mut words = rows.start.clone();
         for (block, out) in out.chunks_mut(rows.start.len()).enumerate() {
-            for ((x, word), mask) in out.iter_mut().zip(&words).zip(masks) {
-                *x = ((u64::from(*word) << 21) ^ mask) as i64 as f64 * super::digits::GRAIN;
+            for (((x, word), mask), low) in out.iter_mut().zip(&words).zip(masks).zip(lows) {
+                *x = f64::from(word ^ mask) * GRAIN + low;
             }
             for (word, step) in words.iter_mut().zip(rows.step(block)) {
                 *word ^= step;
@@ -131,9 +135,14 @@ vectorised! {
 vectorised! {
     fn hashed(rows: &Rows, keys: &[u32], out: &mut [f64]) {
         let mut words = rows.start.clone();
+        let mut digits = words.clone();
         for (block, out) in out.chunks_mut(rows.start.len()).enumerate() {
-            for ((x, word), key) in out.iter_mut().zip(&words).zip(keys) {
-                *x = f64::from(owen_hash::carry_up(*word, *key).reverse_bits()) * GRAIN;
+            // A loop of its own, so that twice as many words fit in a register as coordinates.
+            for ((digits, word), key) in digits.iter_mut().zip(&words).zip(keys) {
+                *digits = owen_hash::carry_up(*word, *key).reverse_bits();
+            }
+            for (x, digits) in out.iter_mut().zip(&digits) {
+                *x = f64::from(*digits) * GRAIN;
             }
             for (word, step) in words.iter_mut().zip(rows.step(block)) {
                 *word ^= step;

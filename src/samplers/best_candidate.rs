@@ -105,7 +105,7 @@ fn set<const D: usize>(n: usize, candidates: u32, seed: Seed) -> Result<Vec<Plac
     for i in 0..n {
         // Coarse buckets at first, finer ones each time there are as many points as buckets again.
         if i.is_power_of_two() && i.ilog2().is_multiple_of(D as u32) {
-            buckets = refill(&buckets, 1 << (i.ilog2() / D as u32));
+            buckets = Buckets::holding(1 << (i.ilog2() / D as u32), buckets.places());
         }
         let best = best_of((i + 1) * candidates as usize, &buckets, &mut random);
         buckets.add(best);
@@ -115,15 +115,6 @@ fn set<const D: usize>(n: usize, candidates: u32, seed: Seed) -> Result<Vec<Plac
 
 /// The most points: the cost grows with their square.
 const MOST: usize = 1 << 16;
-
-/// The same points in buckets of which `side` stand along each axis.
-fn refill<const D: usize>(buckets: &Buckets<D>, side: usize) -> Buckets<D> {
-    let mut finer = Buckets::new(side);
-    for &place in buckets.places() {
-        finer.add(place);
-    }
-    finer
-}
 
 /// Of `count` uniform candidates the one farthest from all points so far, the first of equals.
 pub fn best_of<const D: usize>(count: usize, buckets: &Buckets<D>, random: &mut Random) -> Place<D> {

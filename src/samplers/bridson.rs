@@ -113,8 +113,7 @@ pub fn grow(radius: f64, random: &mut Random) -> Vec<Place<2>> {
 
 /// A set that has grown from the points of `start`, or a random one, until its front is empty.
 fn grow_on<const D: usize>(start: &[Place<D>], radius: f64, tries: u32, random: &mut Random) -> Vec<Place<D>> {
-    let mut buckets = Buckets::new((1.0 / radius) as usize);
-    start.iter().for_each(|&place| buckets.add(place));
+    let mut buckets = Buckets::holding((1.0 / radius) as usize, start);
     if start.is_empty() {
         buckets.add(uniform(random));
     }

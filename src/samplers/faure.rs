@@ -27,12 +27,8 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{
-    Digital, Digits, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, digital_points, digits, refused,
-};
+use super::{Digital, Digits, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, digits, refused};
 use crate::catalogue::{About, Entry, Paper};
-use crate::points::Points;
-use crate::seed::Seed;
 
 /// The most dimensions.
 const MOST_DIMENSIONS: usize = 256;
@@ -93,10 +89,6 @@ impl Sampler for Faure {
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
         refused::check(n, d, self.base.map_or(MOST_DIMENSIONS, |base| MOST_DIMENSIONS.min(base as usize)))
-    }
-
-    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
-        digital_points(self, n, d)
     }
 
     fn net(&self, d: usize) -> Option<Net> {

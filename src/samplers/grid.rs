@@ -21,8 +21,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::digits::root;
-use super::{Guarantee, Refused, Sampler, refused};
+use super::{Guarantee, Refused, Sampler, refused, regular};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -62,23 +61,10 @@ impl Sampler for Grid {
 
     fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
         self.admits(n, d)?;
-        let mut coordinates = refused::allocate(n, d)?;
-        let k = root(n as u64, d as u32);
-        for (i, point) in coordinates.chunks_exact_mut(d).enumerate() {
-            let mut rest = i as u64;
-            for x in point {
-                *x = (rest % k) as f64 / k as f64;
-                rest /= k;
-            }
-        }
-        refused::points(d, coordinates)
+        regular::points(n, d, 0.0)
     }
 
     fn at(&self, n: usize, d: usize, _seed: Seed) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
-        let k = root(n as u64, d as u32);
-        Some(Box::new(move |index, axis| {
-            let rest = (0..axis).fold(index, |rest, _| rest / k);
-            (rest % k) as f64 / k as f64
-        }))
+        Some(regular::at(n, d, 0.0))
     }
 }

@@ -24,10 +24,8 @@
 //! assert_eq!(radical_inverse(5, 3), 7.0 / 9.0); // 5 is 12 in base 3; reversed, 0.21 = 7/9
 //! ```
 
-use super::{Digital, Digits, Guarantee, Radix, Refused, Sampler, digital_points, digits, refused};
+use super::{Digital, Digits, Guarantee, Radix, Refused, Sampler, digits, refused};
 use crate::catalogue::{About, Entry, Paper};
-use crate::points::Points;
-use crate::seed::Seed;
 
 /// The most dimensions.
 pub const MOST_DIMENSIONS: usize = 256;
@@ -77,10 +75,6 @@ impl Sampler for Halton {
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
         refused::check(n, d, MOST_DIMENSIONS)
-    }
-
-    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
-        digital_points(self, n, d)
     }
 
     fn digits(&self) -> Digits {

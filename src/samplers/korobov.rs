@@ -106,8 +106,8 @@ impl Sampler for Korobov {
         if fits(&n) {
             return Ok(());
         }
-        // Of the numbers next to each other at least 1 and a + 1 fit.
-        let (below, above) = ((1..n).rev().find(fits), (n + 1..).find(fits));
+        // A run of numbers that all have a divisor in common with a 32-bit number is far shorter than 2^10.
+        let (below, above) = ((1..n).rev().find(fits), (n + 1..).take(1 << 10).find(fits));
         Err(Refused::Count { n, below, above, rule: "without a common divisor with the generator" })
     }
 

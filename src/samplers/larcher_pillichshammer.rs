@@ -23,10 +23,8 @@
 //! ```
 
 use super::digits::logarithm;
-use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, digital_points, refused};
+use super::{Digital, Digits, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
-use crate::points::Points;
-use crate::seed::Seed;
 
 /// The sampler `larcher-pillichshammer`.
 pub struct LarcherPillichshammer;
@@ -75,10 +73,6 @@ impl Sampler for LarcherPillichshammer {
         Err(Refused::Count { n, below: above.map(|above| above / 2), above, rule: "a power of 2" })
     }
 
-    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
-        digital_points(self, n, d)
-    }
-
     fn whole_net(&self, _n: usize, _d: usize) -> Option<Net> {
         Some(Net { base: 2, t: 0 })
     }
@@ -98,10 +92,6 @@ struct Set {
 }
 
 impl Digital for Set {
-    fn radix(&self, _axis: usize) -> Radix {
-        const { Radix::new(2) }
-    }
-
     fn numerator(&self, index: u64, axis: usize) -> u64 {
         if axis == 0 { index << (53 - self.m) } else { ones(index) }
     }

@@ -95,8 +95,7 @@ pub fn saturate(radius: f64, random: &mut Random) -> Vec<Place<2>> {
 /// The points of `start`, and more until no point can be added.
 fn saturate_from<const D: usize>(start: &[Place<D>], radius: f64, random: &mut Random) -> Vec<Place<D>> {
     let side = (((D as f64).sqrt() / radius).ceil() as u64).max(1);
-    let mut buckets = Buckets::new((1.0 / radius) as usize);
-    start.iter().for_each(|&place| buckets.add(place));
+    let mut buckets = Buckets::holding((1.0 / radius) as usize, start);
     let all = (0..side.pow(D as u32)).map(|cell| std::array::from_fn(|axis| cell / side.pow(axis as u32) % side));
     let mut cells: Vec<Cell<D>> =
         all.filter(|&cell| start.is_empty() || !is_covered(&buckets, cell, side, radius)).collect();

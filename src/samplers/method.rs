@@ -87,8 +87,9 @@ impl UnknownMethod {
     /// The right name to offer in place of the unknown part, if one is near.
     pub fn suggestion(&self) -> Option<&'static str> {
         match self {
-            Self::Sampler { nearest, .. } | Self::Scramble { nearest, .. } => *nearest,
-            Self::Setting { error: WrongSetting::Unknown { nearest, .. }, .. } => *nearest,
+            Self::Sampler { nearest, .. }
+            | Self::Scramble { nearest, .. }
+            | Self::Setting { error: WrongSetting::Unknown { nearest, .. }, .. } => *nearest,
             Self::Setting { .. } | Self::Combination { .. } => None,
         }
     }

@@ -41,6 +41,7 @@ pub mod poisson;
 pub mod progressive_multi_jittered;
 pub mod radical_inverse;
 mod refused;
+mod regular;
 mod settings;
 mod sides;
 pub mod sobol;
@@ -106,8 +107,11 @@ pub trait Sampler: Entry + Sync {
     /// Whether it can give exactly `n` points of `d` dimensions. It never rounds n in silence.
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused>;
 
-    /// The `n x d` points for `seed`: the same arguments give the same bits, everywhere.
-    fn points(&self, n: usize, d: usize, seed: Seed) -> Result<Points, Refused>;
+    /// The `n x d` points for `seed`: the same arguments give the same bits, everywhere. Those of a
+    /// digital sampler are made of its digits.
+    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
+        digital_points(self, n, d)
+    }
 
     /// The net that [`Guarantee::Net`] promises in `d` dimensions.
     fn net(&self, _d: usize) -> Option<Net> {
@@ -152,8 +156,10 @@ pub trait Sampler: Entry + Sync {
 /// Points by their digits: every coordinate is a whole number over a power of its axis' base. Pure
 /// by position.
 pub trait Digital: Send + Sync {
-    /// The base of the axis `axis`, with the number of digits.
-    fn radix(&self, axis: usize) -> Radix;
+    /// The base of the axis `axis`, with the number of digits; 2 unless it is said.
+    fn radix(&self, _axis: usize) -> Radix {
+        const { Radix::new(2) }
+    }
 
     /// The numerator, over `radix(axis).scale`, of the coordinate of point `index` on the axis
     /// `axis < d`.
@@ -259,7 +265,7 @@ impl std::fmt::Display for Guarantee {
 }
 
 /// The points of a digital sampler as they are, block by block.
-fn digital_points(sampler: &dyn Sampler, n: usize, d: usize) -> Result<Points, Refused> {
+fn digital_points(sampler: &(impl Sampler + ?Sized), n: usize, d: usize) -> Result<Points, Refused> {
     sampler.admits(n, d)?;
     let digital = sampler.digital(n, d).ok_or(Refused::Dimensions { d, least: 1, most: 1 })?;
     let mut coordinates = refused::allocate(n, d)?;

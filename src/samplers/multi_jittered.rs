@@ -87,8 +87,12 @@ impl Sampler for MultiJittered {
         let cuts = self.strata(n, d);
         by_axis(n, d, seed, |axis, random, out| {
             let (own, across) = (cuts[axis], n / cuts[axis]);
+            let mut slabs: Vec<usize> = Vec::with_capacity(across);
             for stratum in 0..own {
-                for (k, slab) in random.permutation(across).into_iter().enumerate() {
+                slabs.clear();
+                slabs.extend(0..across);
+                random.shuffle(&mut slabs);
+                for (k, &slab) in slabs.iter().enumerate() {
                     // The cell in column i and row j is number i + columns j, whichever axis is
                     // walked along.
                     let cell = if axis == 0 { stratum + own * k } else { k + across * stratum };

@@ -32,10 +32,8 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, digital_points, refused};
+use super::{Digital, Digits, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
-use crate::points::Points;
-use crate::seed::Seed;
 
 /// The most dimensions.
 pub const MOST_DIMENSIONS: usize = 256;
@@ -85,10 +83,6 @@ impl Sampler for Niederreiter {
         refused::check(n, d, MOST_DIMENSIONS)
     }
 
-    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
-        digital_points(self, n, d)
-    }
-
     fn net(&self, d: usize) -> Option<Net> {
         let t = irreducible(d).iter().map(|polynomial| polynomial.ilog2() - 1).sum();
         Some(Net { base: 2, t })
@@ -109,10 +103,6 @@ struct Sequence {
 }
 
 impl Digital for Sequence {
-    fn radix(&self, _axis: usize) -> Radix {
-        const { Radix::new(2) }
-    }
-
     fn numerator(&self, index: u64, axis: usize) -> u64 {
         let chosen = self.columns[axis].iter().enumerate().filter(|(bit, _)| index >> bit & 1 == 1);
         chosen.fold(0, |digits, (_, column)| digits ^ column)

@@ -102,6 +102,15 @@ impl<const D: usize> Buckets<D> {
         Self { side, heads: vec![NONE; side.pow(D as u32)], next: Vec::new(), places: Vec::new() }
     }
 
+    /// The points `places` in buckets as [`new`](Self::new) makes them.
+    pub fn holding(side: usize, places: &[Place<D>]) -> Self {
+        let mut buckets = Self::new(side);
+        for &place in places {
+            buckets.add(place);
+        }
+        buckets
+    }
+
     /// The points so far, in the order of their coming.
     pub fn places(&self) -> &[Place<D>] {
         &self.places

@@ -26,12 +26,8 @@
 //! ```
 
 use super::digits::is_prime;
-use super::{
-    Digital, Digits, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, digital_points, refused,
-};
+use super::{Digital, Digits, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, refused};
 use crate::catalogue::{About, Entry, Paper};
-use crate::points::Points;
-use crate::seed::Seed;
 
 /// The sampler `radical-inverse` in some base, and its digits.
 #[derive(Clone, Copy)]
@@ -90,10 +86,6 @@ impl Sampler for RadicalInverse {
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
         refused::check(n, d, 1)
-    }
-
-    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
-        digital_points(self, n, d)
     }
 
     fn net(&self, _d: usize) -> Option<Net> {

@@ -29,10 +29,8 @@
 //! ```
 
 use super::digits::GRAIN;
-use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, digital_points, refused};
+use super::{Digital, Digits, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
-use crate::points::Points;
-use crate::seed::Seed;
 
 /// The most dimensions.
 pub const MOST_DIMENSIONS: usize = 256;
@@ -41,7 +39,7 @@ pub const MOST_DIMENSIONS: usize = 256;
 const DIGITS: usize = 53;
 
 /// The table of Joe and Kuo; its licence lies beside it.
-const TABLE: &str = include_str!("data/joe_kuo.txt");
+const TABLE: &str = include_str!("sobol/joe_kuo.txt");
 
 /// For each axis the columns of its generator matrix, as whole numbers below 2^53 whose first digit
 /// is the highest bit; and the degree of its polynomial.
@@ -96,10 +94,6 @@ impl Sampler for Sobol {
         refused::check(n, d, MOST_DIMENSIONS)
     }
 
-    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
-        digital_points(self, n, d)
-    }
-
     fn net(&self, d: usize) -> Option<Net> {
         // Axis 0 has the identity, which is as good as degree 1.
         let t = MATRICES.iter().take(d).map(|(_, degree)| degree - 1).sum();
@@ -116,10 +110,6 @@ impl Sampler for Sobol {
 }
 
 impl Digital for Sobol {
-    fn radix(&self, _axis: usize) -> Radix {
-        const { Radix::new(2) }
-    }
-
     fn numerator(&self, index: u64, axis: usize) -> u64 {
         sobol_bits(index, axis)
     }
@@ -155,20 +145,24 @@ pub fn sobol_bits(index: u64, axis: usize) -> u64 {
     bits
 }
 
-/// For each axis and each group of four index bits, the XOR of the columns at the set bits: 32
-/// digits, the first highest.
-static NIBBLES: [[[u32; 16]; 8]; MOST_DIMENSIONS] = nibbles();
+/// Axes whose tables lie side by side.
+const ABREAST: usize = 4;
+
+/// For each four axes and each group of four index bits, the XOR of the columns at the set bits: 32
+/// digits, the first highest, of one axis after the other.
+static NIBBLES: [[[[u32; ABREAST]; 16]; 8]; MOST_DIMENSIONS / ABREAST] = nibbles();
 
 #[expect(clippy::large_stack_arrays, reason = "it lives in the compiler only")]
-const fn nibbles() -> [[[u32; 16]; 8]; MOST_DIMENSIONS] {
-    let mut table = [[[0; 16]; 8]; MOST_DIMENSIONS];
+const fn nibbles() -> [[[[u32; ABREAST]; 16]; 8]; MOST_DIMENSIONS / ABREAST] {
+    let mut table = [[[[0; ABREAST]; 16]; 8]; MOST_DIMENSIONS / ABREAST];
     let mut at = 0;
     while at < MOST_DIMENSIONS * 8 * 16 {
         let (axis, group, set) = (at / 128, at / 16 % 8, at % 16);
         let mut bit = 0;
         while bit < 4 {
             if set >> bit & 1 == 1 {
-                table[axis][group][set] ^= (MATRICES[axis].0[4 * group + bit] >> 21) as u32;
+                let column = MATRICES[axis].0[4 * group + bit];
+                table[axis / ABREAST][group][set][axis % ABREAST] ^= (column >> 21) as u32;
             }
             bit += 1;
         }
@@ -180,8 +174,21 @@ const fn nibbles() -> [[[u32; 16]; 8]; MOST_DIMENSIONS] {
 /// The first 32 digits of a coordinate, by eight looks into a table: fast whatever the index.
 #[inline]
 pub fn first_digits(index: u32, axis: usize) -> u32 {
-    let table = &NIBBLES[axis];
-    (0..8).fold(0, |digits, group| digits ^ table[group][(index >> (4 * group) & 15) as usize])
+    let table = &NIBBLES[axis / ABREAST];
+    (0..8).fold(0, |digits, group| digits ^ table[group][(index >> (4 * group) & 15) as usize][axis % ABREAST])
+}
+
+/// The same of the axes 4 `four` to 4 `four` + 3, by as many looks as for one; `four` < 64.
+#[inline]
+pub fn four_first_digits(index: u32, four: usize) -> [u32; ABREAST] {
+    let mut digits = [0; ABREAST];
+    for (group, table) in NIBBLES[four].iter().enumerate() {
+        let found = &table[(index >> (4 * group) & 15) as usize];
+        for axis in 0..ABREAST {
+            digits[axis] ^= found[axis];
+        }
+    }
+    digits
 }
 
 /// The columns of the generator matrix of the axis `axis < 256`, the first digit in bit 52.

@@ -25,10 +25,8 @@
 //! ```
 
 use super::digits::GRAIN;
-use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, digital_points, refused};
+use super::{Digital, Digits, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
-use crate::points::Points;
-use crate::seed::Seed;
 
 /// The sampler `van-der-corput`, and its digits.
 pub struct VanDerCorput;
@@ -63,10 +61,6 @@ impl Sampler for VanDerCorput {
         refused::check(n, d, 1)
     }
 
-    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
-        digital_points(self, n, d)
-    }
-
     fn net(&self, _d: usize) -> Option<Net> {
         Some(Net { base: 2, t: 0 })
     }
@@ -81,10 +75,6 @@ impl Sampler for VanDerCorput {
 }
 
 impl Digital for VanDerCorput {
-    fn radix(&self, _axis: usize) -> Radix {
-        const { Radix::new(2) }
-    }
-
     fn numerator(&self, index: u64, _axis: usize) -> u64 {
         reversed_bits(index)
     }

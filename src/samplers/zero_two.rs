@@ -23,10 +23,8 @@
 //! ```
 
 use super::van_der_corput::reversed_bits;
-use super::{Digital, Digits, Guarantee, Net, Radix, Refused, Sampler, digital_points, refused};
+use super::{Digital, Digits, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
-use crate::points::Points;
-use crate::seed::Seed;
 
 /// The sampler `zero-two`.
 pub struct ZeroTwo;
@@ -70,10 +68,6 @@ impl Sampler for ZeroTwo {
         refused::check(n, d, 2)
     }
 
-    fn points(&self, n: usize, d: usize, _seed: Seed) -> Result<Points, Refused> {
-        digital_points(self, n, d)
-    }
-
     fn net(&self, _d: usize) -> Option<Net> {
         Some(Net { base: 2, t: 0 })
     }
@@ -88,10 +82,6 @@ impl Sampler for ZeroTwo {
 }
 
 impl Digital for ZeroTwo {
-    fn radix(&self, _axis: usize) -> Radix {
-        const { Radix::new(2) }
-    }
-
     fn numerator(&self, index: u64, axis: usize) -> u64 {
         if axis == 0 { reversed_bits(index) } else { pascal(index) }
     }

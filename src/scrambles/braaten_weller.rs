@@ -22,14 +22,10 @@
 //! assert_eq!(permutation(7), [0, 3, 5, 1, 6, 2, 4]);
 //! ```
 
-use super::walk::Places;
-use super::{Action, Scramble};
+use super::{Action, Scramble, fixed};
 use crate::catalogue::{About, Entry, Paper};
-use crate::samplers::{Digits, Guarantee, Radix, Sampler};
+use crate::samplers::{Guarantee, Radix, Sampler};
 use crate::seed::Seed;
-
-/// Larger bases, which only the fractions i/n of a Hammersley set have, are left alone.
-const LARGEST: u32 = 2048;
 
 /// The scramble `braaten-weller`.
 pub struct BraatenWeller;
@@ -61,11 +57,7 @@ impl Scramble for BraatenWeller {
     }
 
     fn combines(&self, sampler: &dyn Sampler) -> Result<(), &'static str> {
-        match sampler.digits() {
-            Digits::None => Err("its coordinates have no digits to permute"),
-            Digits::Binary => Err("in base 2 it is the identity"),
-            Digits::Mixed => Ok(()),
-        }
+        fixed::combines(sampler)
     }
 
     fn keeps(&self, _guarantee: Guarantee) -> bool {
@@ -73,11 +65,7 @@ impl Scramble for BraatenWeller {
     }
 
     fn action(&self, radix: Radix, _axis: usize, _seed: Seed) -> Action {
-        if radix.base > LARGEST {
-            return Action::Digits(Box::new(move |numerator| radix.coordinate(numerator)));
-        }
-        let images = permutation(radix.base).into_iter().map(u64::from).collect();
-        Action::Positions { places: Places::new(radix), images: vec![images], tail: 0.0 }
+        fixed::action(radix, permutation)
     }
 }
 

@@ -11,6 +11,7 @@ use walk::Places;
 pub mod braaten_weller;
 pub mod cranley_patterson;
 pub mod faure_permutation;
+mod fixed;
 pub mod linear;
 pub mod owen;
 pub mod owen_hash;

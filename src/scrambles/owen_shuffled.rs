@@ -28,7 +28,7 @@
 use super::owen_hash::{GRAIN, scramble};
 use super::{Action, Scramble};
 use crate::catalogue::{About, Entry, Paper};
-use crate::samplers::sobol::first_digits;
+use crate::samplers::sobol::{first_digits, four_first_digits};
 use crate::samplers::{Digits, Guarantee, Radix, Sampler};
 use crate::seed::{Seed, mix};
 
@@ -97,8 +97,34 @@ pub fn sample(index: u32, axis: usize, seed: u32) -> f64 {
     f64::from(scramble(first_digits(shuffled, axis), mix_in(seed, axis as u32 + 1))) * GRAIN
 }
 
+/// The coordinates of point `index` on the axes 4 `four` to 4 `four` + 3, `four` < 64: those of
+/// [`sample`], at less than half the cost, since the index is shuffled and looked up once.
+#[inline]
+pub fn sample_four(index: u32, four: usize, seed: u32) -> [f64; 4] {
+    let mut digits = four_first_digits(scramble(index, mix_in(seed, 0)), four);
+    for (axis, digits) in (4 * four as u32..).zip(&mut digits) {
+        *digits = scramble(*digits, mix_in(seed, axis + 1));
+    }
+    digits.map(|digits| f64::from(digits) * GRAIN)
+}
+
 /// A key for `stream` of `seed`.
 #[inline]
 fn mix_in(seed: u32, stream: u32) -> u32 {
     (mix(u64::from(seed) << 32 | u64::from(stream)) >> 32) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_at_once_are_those_one_by_one() {
+        for (index, seed) in [(0, 0), (1, 7), (12_345, 1), (u32::MAX, u32::MAX)] {
+            for four in [0, 1, 17, 63] {
+                let one_by_one = [0, 1, 2, 3].map(|axis| sample(index, 4 * four + axis, seed));
+                assert_eq!(sample_four(index, four, seed), one_by_one, "point {index}, axes from {}", 4 * four);
+            }
+        }
+    }
 }

@@ -47,6 +47,7 @@
     function show(next) {
       next = Math.min(Math.max(next, 1), count);
       if (next === step) return;
+      var focused = box.contains(document.activeElement) && document.activeElement;
       // Only neighbouring steps move; longer ways are jumps.
       figure.classList.toggle("step-jump", Math.abs(next - step) > 1 || step === 0);
       step = next;
@@ -59,6 +60,8 @@
       counter.href = "#" + figure.id + ":step=" + step;
       part("first").disabled = part("previous").disabled = step === 1;
       part("next").disabled = step === count;
+      // A button that becomes disabled would lose the focus, and the keys with it: the slider takes it.
+      if (focused && focused.disabled) slider.focus({ preventScroll: true });
     }
 
     function stop() {
@@ -82,16 +85,9 @@
       }, PACE);
     });
 
-    // A button that becomes disabled would lose the focus: the slider takes it.
-    function press(name, next) {
-      part(name).addEventListener("click", function () {
-        go(next());
-        if (part(name).disabled) slider.focus({ preventScroll: true });
-      });
-    }
-    press("first", function () { return 1; });
-    press("previous", function () { return step - 1; });
-    press("next", function () { return step + 1; });
+    part("first").addEventListener("click", function () { go(1); });
+    part("previous").addEventListener("click", function () { go(step - 1); });
+    part("next").addEventListener("click", function () { go(step + 1); });
     slider.addEventListener("input", function () { go(Number(slider.value)); });
     figure.addEventListener("keydown", function (event) {
       if (event.altKey || event.ctrlKey || event.metaKey || event.shiftKey) return;

@@ -269,7 +269,8 @@ fn points_are_uniform_over_seeds() {
     let told: Vec<Method> = TOLD.iter().map(|name| Method::parse(name).expect(name)).collect();
     // Of the settings those without a scramble: the scrambles are tried on the plain ones.
     let cases = Method::all().chain(told).flat_map(|method| pairs(method, &[1, 8, 9, 16], &[1, 2, 3]));
-    // A random shift of the torus makes those that keep distances uniform: few counts tell.
+    // The law of those that keep distances is the same wherever the torus is shifted: few counts
+    // tell.
     let few = |method: &Method, n, d| d == 2 || n == 8 || !keeps_distances(method);
     for (method, n, d) in cases.filter(|(method, n, d)| few(method, *n, *d)) {
         if method.guarantees().contains(&Guarantee::Unbiased) {
@@ -327,10 +328,22 @@ fn catalogues_are_complete() {
     let helpers = [
         (
             "samplers",
-            vec!["mod", "axes", "batch", "digits", "enumeration", "method", "poisson", "refused", "settings", "sides"],
+            vec![
+                "mod",
+                "axes",
+                "batch",
+                "digits",
+                "enumeration",
+                "method",
+                "poisson",
+                "refused",
+                "regular",
+                "settings",
+                "sides",
+            ],
             samplers,
         ),
-        ("scrambles", vec!["mod", "walk"], scrambles),
+        ("scrambles", vec!["mod", "fixed", "walk"], scrambles),
         ("integrands", vec!["mod", "function", "genz"], integrands),
         ("metrics", vec!["mod", "occupancy", "spectrum", "star_bound", "star_space"], metrics),
     ];

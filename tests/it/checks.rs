@@ -36,7 +36,7 @@ fn occupancy<'a>(rows: impl Iterator<Item = &'a [f64]>, cuts: &[usize]) -> Vec<u
 }
 
 /// All ways to write `total` as a sum of `parts` whole numbers.
-fn compositions(total: u32, parts: usize) -> Vec<Vec<u32>> {
+pub fn compositions(total: u32, parts: usize) -> Vec<Vec<u32>> {
     if parts == 1 {
         return vec![vec![total]];
     }

@@ -325,7 +325,7 @@ fn the_number_of_threads_never_shows() {
         "kind = \"importance\"\nintegrand = \"x\"\ndensities = [\"1\", \"1 + x\"]",
         "kind = \"bias\"\nintegrand = \"x\"\nreplicates = 50",
         "kind = \"coverage\"\nintegrand = \"x\"\nsamplers = [\"independent\", \"sobol+owen\"]\nrepetitions = 50",
-        "kind = \"quadrature\"\nmost = 300",
+        "kind = \"quadrature\"\nmost = 7000\nreplicates = 4",
         "kind = \"quicksort\"\nlength = 50\nruns = 50\nn = 10",
         "kind = \"buffon\"\nn = 200000\ntrials = 100",
         "kind = \"bug\"\nbug = \"rejection\"",

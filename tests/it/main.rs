@@ -24,6 +24,8 @@ mod enumeration;
 mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
+mod gallery;
+#[cfg(feature = "publish")]
 mod golden;
 #[cfg(feature = "publish")]
 mod kinds;
@@ -36,12 +38,17 @@ mod pages;
 mod parameters;
 mod paths;
 #[cfg(feature = "publish")]
+mod pictures;
+#[cfg(feature = "publish")]
 mod point_kinds;
 #[cfg(feature = "publish")]
 mod points;
+mod properties;
 #[cfg(feature = "publish")]
 mod review;
 mod settings;
 mod statistics;
+#[cfg(feature = "publish")]
+mod steppers;
 #[cfg(feature = "publish")]
 mod tidy;

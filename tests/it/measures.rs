@@ -61,7 +61,7 @@ fn discrepancies_are_those_of_the_table() {
 }
 
 /// The value of `points` at the extremal box, counted by hand, open or closed, is the discrepancy.
-fn attained(points: &Points, corner: &[f64], value: f64) -> bool {
+pub fn attained(points: &Points, corner: &[f64], value: f64) -> bool {
     let (n, volume) = (points.len() as f64, corner.iter().product::<f64>());
     let share = |inside: &dyn Fn(f64, f64) -> bool| {
         points.rows().filter(|x| x.iter().zip(corner).all(|(&x, &q)| inside(x, q))).count() as f64 / n
@@ -71,7 +71,7 @@ fn attained(points: &Points, corner: &[f64], value: f64) -> bool {
 }
 
 /// All boxes of the grid, one by one.
-fn star_by_force(points: &Points) -> f64 {
+pub fn star_by_force(points: &Points) -> f64 {
     let d = points.dimensions();
     let grid: Vec<Vec<f64>> = (0..d).map(|axis| points.axis(axis).chain([1.0]).collect()).collect();
     let mut best = 0.0_f64;
@@ -260,7 +260,7 @@ fn koksma_and_hlawka_hold() {
 }
 
 /// The periodogram by definition.
-fn power_by_force(points: &Points, u: i32, v: i32) -> f64 {
+pub fn power_by_force(points: &Points, u: i32, v: i32) -> f64 {
     let (mut re, mut im) = (0.0, 0.0);
     for x in points.rows() {
         let angle = std::f64::consts::TAU * (f64::from(u) * x[0] + f64::from(v) * x[1]);

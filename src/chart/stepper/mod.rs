@@ -19,7 +19,7 @@ struct Step {
 /// The frames of a stepper, in order. All charts must have the same layout: fixed ranges, the same titles.
 #[derive(Debug, Clone)]
 pub struct Steps {
-    steps: Vec<Step>,
+    frames: Vec<Step>,
     key: Vec<usize>,
     small: f64,
 }
@@ -56,22 +56,22 @@ impl Default for Steps {
 impl Steps {
     /// No step yet.
     pub fn new() -> Self {
-        Self { steps: Vec::new(), key: Vec::new(), small: 190.0 }
+        Self { frames: Vec::new(), key: Vec::new(), small: 190.0 }
     }
 
     /// Adds a step with its caption: plain words, with LaTeX between dollars.
     pub fn push(&mut self, chart: Chart, caption: impl Into<String>) {
-        self.steps.push(Step { chart, caption: caption.into() });
+        self.frames.push(Step { chart, caption: caption.into() });
     }
 
     /// The number of steps so far.
     pub fn len(&self) -> usize {
-        self.steps.len()
+        self.frames.len()
     }
 
     /// Whether there is no step.
     pub fn is_empty(&self) -> bool {
-        self.steps.is_empty()
+        self.frames.is_empty()
     }
 
     /// With these key steps, counted from 1; otherwise the first, one after a third and one after two thirds.
@@ -90,31 +90,31 @@ impl Steps {
 
     /// The stepper on `sheet`.
     pub fn draw(&self, sheet: &Sheet) -> Result<Stepper, ChartError> {
-        if self.steps.len() > MOST_STEPS {
-            let message = format!("{} steps are more than a stepper's {MOST_STEPS}", self.steps.len());
+        if self.frames.len() > MOST_STEPS {
+            let message = format!("{} steps are more than a stepper's {MOST_STEPS}", self.frames.len());
             return Err(ChartError::Drawing(message));
         }
         let frames: Vec<Figure> =
-            self.steps.iter().map(|step| step.chart.draw(sheet)).collect::<Result<_, ChartError>>()?;
+            self.frames.iter().map(|step| step.chart.draw(sheet)).collect::<Result<_, ChartError>>()?;
         let Some(last) = frames.last() else { return Err(ChartError::NoPanel) };
         if let Some(at) = frames.iter().position(|frame| (frame.width, frame.height) != (last.width, last.height)) {
             return Err(ChartError::Drawing(format!("step {} has another size than the last", at + 1)));
         }
-        let svgs: Vec<&str> = frames.iter().map(|frame| frame.svg.as_str()).collect();
+        let svgs: Vec<String> = frames.iter().map(|frame| merge::short(&frame.svg)).collect();
         let figure = Figure { svg: merge::merged(&svgs), width: last.width, height: last.height };
-        let captions = self.steps.iter().map(|step| step.caption.clone()).collect();
+        let captions = self.frames.iter().map(|step| step.caption.clone()).collect();
         Ok(Stepper { figure, captions, strip: self.strip(sheet)? })
     }
 
     fn strip(&self, sheet: &Sheet) -> Result<Vec<KeyStep>, ChartError> {
-        let count = self.steps.len();
+        let count = self.frames.len();
         let thirds = [1, count / 3 + 1, 2 * count / 3 + 1];
         let mut key = if self.key.is_empty() { thirds.to_vec() } else { self.key.clone() };
         key.sort_unstable();
         key.dedup();
         let drawn = key.into_iter().filter_map(|step| {
             // The last step is the figure itself.
-            let frame = self.steps.get(step.checked_sub(1)?).filter(|_| step < count)?;
+            let frame = self.frames.get(step.checked_sub(1)?).filter(|_| step < count)?;
             let sheet = Sheet {
                 id: format!("{}-step-{step}", sheet.id),
                 title: format!("Step {step} of {count}"),
@@ -122,7 +122,7 @@ impl Steps {
                 width: self.small,
             };
             let figure = frame.chart.clone().still().draw(&sheet);
-            let figure = figure.map(|figure| Figure { svg: merge::joined(&figure.svg), ..figure });
+            let figure = figure.map(|figure| Figure { svg: merge::joined(&merge::short(&figure.svg)), ..figure });
             Some(figure.map(|figure| KeyStep { step, figure }))
         });
         drawn.collect()

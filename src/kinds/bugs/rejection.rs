@@ -32,8 +32,8 @@ fn right(source: &Source<'_>) -> Run {
 
 fn planted(source: &Source<'_>) -> Run {
     let mut run = Run::default();
-    let kept = source.points().filter(|point| point[0] * point[0] + point[1] * point[1] < 1.0);
-    for point in kept.take(source.len()) {
+    let inside = |point: &&[f64]| point[0] * point[0] + point[1] * point[1] < 1.0;
+    for point in source.points().filter(inside).take(source.len()) {
         let (x, y) = (point[0], point[1]);
         run.add(&[x * x + y * y], AREA * x * y);
     }

@@ -144,7 +144,9 @@ impl Density {
         if mass.is_nan() || mass <= 0.0 {
             return Err(wrong("it has no mass", "write a function that is somewhere positive"));
         }
-        cumulated.iter_mut().for_each(|part| *part /= mass);
+        for part in &mut cumulated {
+            *part /= mass;
+        }
         let slope = |panel: usize| function.evaluate(&[(from + width * panel as f64).min(to)]) / mass * width;
         let slopes = (0..=PANELS).map(slope).collect();
         Ok(Self { function: function.clone(), from, to, mass: (mass, error), cumulated, slopes })
@@ -171,9 +173,9 @@ impl Density {
         for _ in 0..60 {
             let (value, slope) = cubic.at(at);
             if value <= u {
-                low = at
+                low = at;
             } else {
-                high = at
+                high = at;
             }
             let newton = at - (value - u) / slope;
             let next = if newton > low && newton < high { newton } else { f64::midpoint(low, high) };

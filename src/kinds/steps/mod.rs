@@ -48,7 +48,7 @@ pub fn marked(odd: &[(u32, u32, u32)], (columns, rows): (u32, u32)) -> Vec<Boxes
     let boxes = |empty: bool, role: Role| {
         let those = odd.iter().filter(|&&(_, _, count)| (count == 0) == empty);
         let boxes = those.map(|&(column, row, _)| [corner(column, row), corner(column + 1, row + 1)]).collect();
-        Boxes::new(boxes).style(Style::new(role))
+        Boxes::new(boxes).style(Style::new(role)).opacity(0.28).plain()
     };
     vec![boxes(true, Role::Accent), boxes(false, Role::Ochre)]
 }
