@@ -17,10 +17,10 @@ mod function;
 mod guarantees;
 mod histogram;
 mod imaging;
+mod interval_occupancy;
 mod koksma_hlawka;
 mod measures;
 mod measuring;
-mod occupancy;
 mod placing;
 mod points;
 mod projections;
@@ -83,7 +83,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &discrepancy::DISCREPANCY,
     &measures::MEASURES,
     &koksma_hlawka::KOKSMA_HLAWKA,
-    &occupancy::OCCUPANCY,
+    &interval_occupancy::OCCUPANCY,
     &guarantees::GUARANTEES,
     &enumeration::ENUMERATION,
     &digits::DIGITS,

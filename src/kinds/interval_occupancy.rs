@@ -27,8 +27,8 @@ static ABOUT: About = About {
     key: "occupancy",
     title: "Occupancy of elementary intervals",
     summary: "The elementary intervals of every shape, and how many do not hold exactly one point.",
-    file: "kinds/occupancy.rs",
-    source: include_str!("occupancy.rs"),
+    file: "kinds/interval_occupancy.rs",
+    source: include_str!("interval_occupancy.rs"),
     papers: &[],
 };
 
