@@ -1,38 +1,11 @@
 //! The kinds about estimation, history and testing: held against exact and published values.
 
+use crate::asked::{holds, number, outcome, seeded, z};
 use crate::parameters::plan;
 use workbook::chart::{Drawing, Sheet};
-use workbook::kinds::{Outcome, Value};
+use workbook::kinds::Outcome;
 use workbook::seed::Seed;
 use workbook::stats::portable;
-
-fn seeded(fence: &str, seed: u64) -> Outcome {
-    let experiment = plan(fence).unwrap_or_else(|complaints| panic!("{fence}: {complaints:#?}"));
-    experiment.run(Seed::new(seed)).unwrap_or_else(|failure| panic!("{fence}: {failure:?}"))
-}
-
-fn outcome(fence: &str) -> Outcome {
-    seeded(fence, 1)
-}
-
-fn number(outcome: &Outcome, name: &str) -> f64 {
-    outcome.values.get(name).and_then(workbook::kinds::Measured::number).unwrap_or_else(|| {
-        panic!("no number {name} among {:?}", outcome.values.names().collect::<Vec<_>>());
-    })
-}
-
-/// The value called `name`, in standard errors off `expected`.
-fn z(outcome: &Outcome, name: &str, expected: f64) -> f64 {
-    let error = outcome.values.get(name).and_then(|measured| measured.standard_error);
-    (number(outcome, name) - expected) / error.unwrap_or_else(|| panic!("{name} has no standard error"))
-}
-
-fn holds(outcome: &Outcome, name: &str) -> bool {
-    match outcome.values.get(name).map(|measured| &measured.value) {
-        Some(Value::Boolean(truth)) => *truth,
-        other => panic!("{name} is {other:?}"),
-    }
-}
 
 fn near(outcome: &Outcome, name: &str, expected: f64, within: f64) {
     let value = number(outcome, name);

@@ -1,31 +1,13 @@
 //! The kinds: what they compute, that it is the same on any number of threads, and that nothing makes them panic.
 
+use crate::asked::{holds, number, outcome};
 use crate::parameters::plan;
 use workbook::chart::{Drawing, Sheet};
-use workbook::kinds::{Failure, Outcome, Value};
+use workbook::kinds::Outcome;
+
 use workbook::seed::Seed;
 
 const CONVERGENCE: &str = "kind = \"convergence\"\nintegrand = \"exp-sin\"\nn = \"2^4..2^8\"\nreplicates = 16\n";
-
-fn run(fence: &str) -> Result<Outcome, Failure> {
-    plan(fence).unwrap_or_else(|complaints| panic!("{complaints:#?}")).run(Seed::new(1))
-}
-
-fn outcome(fence: &str) -> Outcome {
-    run(fence).unwrap_or_else(|failure| panic!("{failure:?}"))
-}
-
-fn number(outcome: &Outcome, name: &str) -> f64 {
-    match outcome.values.get(name).map(|measured| &measured.value) {
-        Some(Value::Number(number)) => *number,
-        Some(Value::Integer(integer)) => *integer as f64,
-        other => panic!("{name} is {other:?} among {:?}", outcome.values),
-    }
-}
-
-fn holds(outcome: &Outcome, name: &str) -> bool {
-    matches!(outcome.values.get(name).map(|measured| &measured.value), Some(Value::Boolean(true)))
-}
 
 #[test]
 fn slopes_are_those_of_the_theory() {

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 #[cfg(feature = "publish")]
+mod asked;
+#[cfg(feature = "publish")]
 mod atomic;
 mod battery;
 #[cfg(feature = "publish")]
@@ -47,6 +49,8 @@ mod properties;
 #[cfg(feature = "publish")]
 mod review;
 mod settings;
+#[cfg(feature = "publish")]
+mod spectral;
 mod statistics;
 #[cfg(feature = "publish")]
 mod steppers;

@@ -1,37 +1,9 @@
 //! The kinds about point sets and their measures: against exact and published values, and against other ways to compute them.
 
+use crate::asked::{error, holds, number, outcome};
 use crate::parameters::plan;
 use workbook::chart::{Drawing, Sheet};
-use workbook::kinds::{Outcome, Value};
 use workbook::seed::Seed;
-
-fn outcome(fence: &str) -> Outcome {
-    let experiment = plan(fence).unwrap_or_else(|complaints| panic!("{fence}: {complaints:#?}"));
-    experiment.run(Seed::new(1)).unwrap_or_else(|failure| panic!("{fence}: {failure:?}"))
-}
-
-fn number(outcome: &Outcome, name: &str) -> f64 {
-    match outcome.values.get(name).map(|measured| &measured.value) {
-        Some(Value::Number(number)) => *number,
-        Some(Value::Integer(integer)) => *integer as f64,
-        other => panic!("{name} is {other:?} among {:?}", outcome.values.names().collect::<Vec<_>>()),
-    }
-}
-
-fn flag(outcome: &Outcome, name: &str) -> bool {
-    match outcome.values.get(name).map(|measured| &measured.value) {
-        Some(Value::Boolean(holds)) => *holds,
-        other => panic!("{name} is {other:?} among {:?}", outcome.values.names().collect::<Vec<_>>()),
-    }
-}
-
-fn error(outcome: &Outcome, name: &str) -> f64 {
-    outcome
-        .values
-        .get(name)
-        .and_then(|measured| measured.standard_error)
-        .unwrap_or_else(|| panic!("{name} has no error"))
-}
 
 fn drawn(fence: &str) -> (Drawing, String) {
     let experiment = plan(fence).unwrap_or_else(|complaints| panic!("{fence}: {complaints:#?}"));
@@ -81,8 +53,8 @@ fn elementary_intervals_are_counted() {
         |shape: &str| format!("kind = \"points\"\nsamplers = [\"sobol\", \"halton\"]\nn = 16\nelementary = {shape}");
     for shape in ["[4, 0]", "[3, 1]", "[2, 2]", "[1, 3]", "[0, 4]"] {
         let sets = outcome(&fence(shape));
-        assert!(flag(&sets, "one-per-interval.sobol"), "{shape}");
-        assert_eq!(flag(&sets, "one-per-interval.halton"), shape == "[4, 0]", "{shape}");
+        assert!(holds(&sets, "one-per-interval.sobol"), "{shape}");
+        assert_eq!(holds(&sets, "one-per-interval.halton"), shape == "[4, 0]", "{shape}");
     }
     let base = outcome("kind = \"points\"\nsamplers = \"faure\"\nn = 9\nelementary = [1, 1]\nbase = 3\ndimensions = 2");
     assert!(number(&base, "intervals.max.faure") >= 1.0);
@@ -91,7 +63,7 @@ fn elementary_intervals_are_counted() {
 #[test]
 fn several_counts_are_named_by_their_count() {
     let sets = outcome("kind = \"points\"\nsamplers = [\"jittered\", \"sobol\"]\nn = [16, 64]");
-    assert!(flag(&sets, "one-per-cell.jittered.16") && flag(&sets, "one-per-cell.sobol.64"));
+    assert!(holds(&sets, "one-per-cell.jittered.16") && holds(&sets, "one-per-cell.sobol.64"));
     assert_eq!(sets.values.get("one-per-cell.jittered"), None);
     let alone = outcome("kind = \"points\"\nsamplers = \"jittered\"\nn = 64");
     assert_eq!(number(&alone, "distance.jittered"), number(&sets, "distance.jittered.64"));
@@ -146,7 +118,7 @@ fn counts_of_strata_are_exact() {
     assert_eq!(number(&table, "strata.10.10"), 1e10);
     assert_eq!(number(&table, "strata.2.63"), 2.0_f64.powi(63));
     assert!((number(&table, "strata.1000.63") / 1e189 - 1.0).abs() < 1e-14);
-    assert!(flag(&table, "within-reach.2.10") && !flag(&table, "within-reach.10.10"));
+    assert!(holds(&table, "within-reach.2.10") && !holds(&table, "within-reach.10.10"));
     let rows = rows("kind = \"strata-count\"\nper_axis = [3]\ndimensions = [20, 40]");
     assert_eq!(rows[0][1], "(3\u{2009}486\u{2009}784\u{2009}401)");
     assert_eq!(rows[1][1], "(1.22 \\times 10^{19})");
@@ -208,11 +180,11 @@ fn discrepancies_meet_their_formulas_and_bounds() {
         assert!((value - exact).abs() < 1e-14, "{n}: {value} {exact}");
     }
     assert_eq!(number(&plane, "expected.hammersley.16"), 11.0 / 64.0);
-    assert!(flag(&plane, "bound.holds.halton") && flag(&plane, "bound.holds.hammersley"));
+    assert!(holds(&plane, "bound.holds.halton") && holds(&plane, "bound.holds.hammersley"));
     assert!(number(&plane, "dstar.hammersley.256") < number(&plane, "dstar.halton.256"));
     assert!((number(&plane, "slope.independent") + 0.5).abs() < 0.08);
     let line = outcome("kind = \"discrepancy\"\nsamplers = \"van-der-corput\"\nn = \"1..512\"\ndimensions = 1");
-    assert!(flag(&line, "bound.holds.van-der-corput"));
+    assert!(holds(&line, "bound.holds.van-der-corput"));
     // 1/n at the powers of 2.
     assert_eq!(number(&line, "dstar.van-der-corput.256"), 1.0 / 256.0);
     let grid = outcome("kind = \"discrepancy\"\nsamplers = \"centred-grid\"\nn = [16, 64]");
@@ -234,7 +206,7 @@ fn tables_of_measures_are_those_of_the_metrics() {
     // N^2 L2*^2 = m^2/64 + 29m/192 + 3/8 - m/(16 2^m) + 1/(4 2^m) - 1/(72 4^m), m = 4.
     let square = 0.25 + 29.0 * 4.0 / 192.0 + 0.375 - 4.0 / 256.0 + 1.0 / 64.0 - 1.0 / (72.0 * 256.0);
     assert!((number(&table, "l2star.hammersley") - f64::sqrt(square) / 16.0).abs() < 1e-14);
-    assert!(flag(&table, "latin.sobol") && !flag(&table, "latin.jittered") && flag(&table, "one-per-cell.jittered"));
+    assert!(holds(&table, "latin.sobol") && !holds(&table, "latin.jittered") && holds(&table, "one-per-cell.jittered"));
     assert_eq!(number(&table, "violations.sobol"), 0.0);
     assert!(number(&table, "violations.independent") > 0.0);
     assert_eq!(rows(fence)[0][0], "Sobol'");
@@ -249,7 +221,7 @@ fn the_inequality_of_koksma_and_hlawka_holds_in_every_row() {
     assert_eq!(number(&plane, "variation"), 1.0);
     assert!((number(&plane, "error.hammersley.256") - 5.8632e-3).abs() < 1e-7);
     assert!((number(&plane, "bound.hammersley.256") - 1.6052e-2).abs() < 1e-6);
-    assert!(flag(&plane, "holds") && flag(&plane, "holds.independent.16") && flag(&plane, "discrepancies.exact"));
+    assert!(holds(&plane, "holds") && holds(&plane, "holds.independent.16") && holds(&plane, "discrepancies.exact"));
     let line = outcome("kind = \"koksma-hlawka\"\nsamplers = \"van-der-corput\"\nintegrand = \"exp-sin\"\nn = 256");
     assert!((number(&line, "error.van-der-corput.256") - 3.047e-4).abs() < 1e-7);
     assert!((number(&line, "bound.van-der-corput.256") - 1.2832e-2).abs() < 1e-6);
@@ -267,7 +239,7 @@ fn digits_are_those_of_the_textbook() {
     assert_eq!(number(&table, "phi.2.6"), 0.375);
     assert_eq!(number(&table, "phi.3.5"), 7.0 / 9.0);
     assert_eq!(number(&table, "phi.10.123"), 0.321);
-    assert!(flag(&table, "agrees") && flag(&table, "agrees.10"));
+    assert!(holds(&table, "agrees") && holds(&table, "agrees.10"));
     let rows = rows(fence);
     assert_eq!(rows[5][1..5], ["101", ".101", "5/8", "0.6250"]);
     assert_eq!(rows[0][1..4], ["0", ".0", "0"]);
@@ -278,7 +250,7 @@ fn digits_are_those_of_the_textbook() {
 fn bit_reversal_is_the_digit_loop() {
     let fence = "kind = \"bit-reversal\"\nindices = 65536";
     let both = outcome(fence);
-    assert!(flag(&both, "equal"));
+    assert!(holds(&both, "equal"));
     assert_eq!((number(&both, "checked"), number(&both, "count")), (65536.0, 65536.0));
     assert_eq!(number(&both, "largest"), 65535.0 / 65536.0);
     assert_eq!(rows(fence).last().expect("a foot")[5], "65\u{2009}536 of 65\u{2009}536");
@@ -291,7 +263,7 @@ fn nets_violate_nothing_in_any_block() {
     let counts = outcome(fence);
     assert_eq!(number(&counts, "intervals"), 5.0 * 16.0 * 32.0);
     for name in ["sobol", "sobol+owen", "larcher-pillichshammer"] {
-        assert!(flag(&counts, &format!("perfect.{name}")), "{name}");
+        assert!(holds(&counts, &format!("perfect.{name}")), "{name}");
     }
     // Radical inverses in base 2 fill the columns, whatever the second axis does.
     assert_eq!(number(&counts, "violations.halton.16x1"), 0.0);
@@ -301,7 +273,7 @@ fn nets_violate_nothing_in_any_block() {
     assert!((share - 0.6202).abs() < 0.04, "{share}");
     assert_eq!(rows(fence)[0][1..7], ["0"; 6]);
     let ternary = outcome("kind = \"occupancy\"\nsampler = \"faure\"\nn = 16\nform = \"figure\"");
-    assert!(flag(&ternary, "perfect.faure"));
+    assert!(holds(&ternary, "perfect.faure"));
     assert!(plan("kind = \"occupancy\"\nsampler = \"sobol\"\nn = 12").is_err());
 }
 
@@ -311,17 +283,17 @@ fn guarantees_are_kept_and_no_more_is_declared() {
                  \"sobol\", \"sobol+xor\", \"sobol+cranley-patterson\", \"best-candidate\"]\nseeds = 50\n\
                  properties = [\"latin\", \"cells\", \"both\", \"net\", \"prefix\", \"fixed\"]";
     let matrix = outcome(fence);
-    assert!(flag(&matrix, "consistent"));
+    assert!(holds(&matrix, "consistent"));
     for (name, kept) in
         [("independent", [false; 3]), ("jittered", [false, true, false]), ("latin-hypercube", [true, false, false])]
     {
         for (property, kept) in ["latin", "cells", "both"].into_iter().zip(kept) {
-            assert_eq!(flag(&matrix, &format!("{property}.{name}")), kept, "{property}.{name}");
+            assert_eq!(holds(&matrix, &format!("{property}.{name}")), kept, "{property}.{name}");
         }
     }
-    assert!(flag(&matrix, "both.multi-jittered") && flag(&matrix, "net.sobol+xor"));
-    assert!(!flag(&matrix, "net.sobol+cranley-patterson") && !flag(&matrix, "fixed.sobol+xor"));
-    assert!(flag(&matrix, "fixed.sobol") && flag(&matrix, "prefix.independent"));
+    assert!(holds(&matrix, "both.multi-jittered") && holds(&matrix, "net.sobol+xor"));
+    assert!(!holds(&matrix, "net.sobol+cranley-patterson") && !holds(&matrix, "fixed.sobol+xor"));
+    assert!(holds(&matrix, "fixed.sobol") && holds(&matrix, "prefix.independent"));
     assert_eq!((number(&matrix, "seeds.sobol"), number(&matrix, "seeds.sobol+xor")), (1.0, 50.0));
     assert!(rows(fence).iter().all(|row| row.len() == 7));
 }
@@ -331,7 +303,7 @@ fn pixels_find_their_samples() {
     for (name, pixels) in [("halton", 8.0 * 9.0), ("sobol", 8.0 * 4.0)] {
         let fence = format!("kind = \"enumeration\"\nsampler = \"{name}\"\ndigits = [3, 2]\nsamples = 4\nrows = 5");
         let found = outcome(&fence);
-        assert!(flag(&found, "equal"), "{name}");
+        assert!(holds(&found, "equal"), "{name}");
         assert_eq!(number(&found, "pixels"), pixels);
         assert_eq!(number(&found, "checked"), 4.0 * pixels);
         assert_eq!(number(&found, "count"), 4.0 * pixels);
@@ -425,45 +397,4 @@ fn the_number_of_threads_never_shows() {
         };
         assert!(on(1) == on(3), "{fence}");
     }
-}
-
-/// The modified Bessel function I0, by its series.
-fn bessel(x: f64) -> f64 {
-    let term = |term: &mut f64, k: u32| {
-        *term *= (x / 2.0) * (x / 2.0) / f64::from(k * k);
-        Some(*term)
-    };
-    1.0 + (1..40).scan(1.0, term).sum::<f64>()
-}
-
-#[test]
-fn spectra_predict_the_variance_of_estimates() {
-    let fence = "kind = 'spectral-error'\nsamplers = ['independent', 'jittered', 'sobol', 'latin-hypercube']\nn = 64\nreplicates = 300";
-    let outcome = outcome(fence);
-    // The integral of exp(cos a + cos b) is I0(1)^2, that of its square I0(2)^2.
-    let integral = bessel(1.0).powi(2);
-    assert!((number(&outcome, "integral") - integral).abs() < 1e-12);
-    let variance = (bessel(2.0).powi(2) - integral.powi(2)) / 64.0;
-    for (name, exact) in [("measured", variance), ("predicted", variance)] {
-        let name = format!("{name}.independent");
-        let z = (number(&outcome, &name) - exact) / error(&outcome, &name);
-        assert!(z.abs() < 4.0, "{name}: {z}");
-    }
-    for method in ["independent", "jittered", "sobol", "latin-hypercube"] {
-        assert!(number(&outcome, &format!("z.{method}")).abs() < 4.0, "{method}");
-    }
-    assert!(number(&outcome, "predicted.jittered") < 0.3 * variance);
-    assert!(svg(&format!("{fence}\nshow = 'overlap'")).contains("integrand"));
-    assert_eq!(rows(fence).len(), 4);
-}
-
-#[test]
-fn a_lattice_errs_by_its_dual_alone() {
-    // The points i/5, 2i/5 see the wave (2, -1), which repeats on them, and miss all others of its length.
-    let outcome = outcome(
-        "kind = 'spectral-error'\nsamplers = 'korobov(generator=2)'\nn = 5\nreach = 4\n\
-         integrand = 'cos(6.283185307179586*(2*x - y)) + cos(6.283185307179586*x)'",
-    );
-    assert!((number(&outcome, "predicted.korobov(generator=2)") - 0.5).abs() < 1e-12);
-    assert!(number(&outcome, "z.korobov(generator=2)").abs() < 4.0);
 }
