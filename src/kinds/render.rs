@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use rayon::prelude::*;
 
-use super::imaging::{self, Errors, RINGS, Reference};
+use super::imaging::{self, Errors, RINGS, Randomisation, Reference};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Drawing, Sheet};
@@ -19,9 +19,8 @@ use crate::parameters::{Counts, choices, parameters};
 use crate::raster::Png;
 use crate::samplers::Method;
 use crate::scenes::Scene;
-use crate::scenes::film::{self, Image, Rendering, Sampling};
+use crate::scenes::film::{Image, Rendering, Sampling};
 use crate::seed::Seed;
-use crate::stats::portable;
 
 /// The kind `render`.
 pub static RENDER: RenderKind = RenderKind;
@@ -37,24 +36,6 @@ static ABOUT: About = About {
     source: include_str!("render.rs"),
     papers: &[],
 };
-
-choices! {
-    /// How the samples of one pixel relate to those of the others.
-    pub enum Randomisation {
-        /// Right: each pixel has a seed of its own.
-        Pixel = "pixel",
-        /// Right: one set, shifted on the torus by random numbers of each pixel's own.
-        Shift = "shift",
-        /// Right: one sequence for the image, each pixel taking the points that fall into it (`halton` or `sobol`).
-        Sequence = "sequence",
-        /// Wrong: the same points in every pixel.
-        Same = "same",
-        /// Wrong: shifts that repeat in every tile of 8 x 8 pixels.
-        Tiled = "tiled",
-        /// Wrong: one random number a pixel, the shift of every axis.
-        Diagonal = "diagonal",
-    }
-}
 
 choices! {
     /// What is shown of the pictures.
@@ -180,7 +161,7 @@ impl Kind for RenderKind {
         let images = imaging::images(&renderings?, size)?;
         let shots = plans.iter().zip(&images).map(|(plan, image)| shot(p, plan, image, &reference));
         let mut shots: Vec<(Shot, Vec<f64>)> = shots.collect();
-        let full = 2.0 * shots.iter().map(|(shot, _)| shot.errors.rmse).fold(0.0, f64::max);
+        let full = 2.0 * shots.iter().map(|(shot, _)| shot.errors.rmse).fold(reference.error, f64::max);
         let packed: Result<Vec<()>, Failure> = shots
             .par_iter_mut()
             .zip(&images)
@@ -257,19 +238,6 @@ fn middle(ring: usize) -> f64 {
     (ring as f64 + 0.5) / (2.0 * RINGS as f64)
 }
 
-impl From<Randomisation> for film::Randomisation {
-    fn from(randomisation: Randomisation) -> Self {
-        match randomisation {
-            Randomisation::Pixel => Self::Pixel,
-            Randomisation::Shift => Self::Shift,
-            Randomisation::Sequence => Self::Sequence,
-            Randomisation::Same => Self::Same,
-            Randomisation::Tiled => Self::Tiled,
-            Randomisation::Diagonal => Self::Diagonal,
-        }
-    }
-}
-
 /// Every picture that is asked for: for each sampler each count, split and randomisation.
 fn plans(p: &Render) -> Vec<Plan> {
     let mut plans = Vec::new();
@@ -309,15 +277,7 @@ impl Plan {
         let n = looks * lights;
         add(p.n.as_slice().len() > 1, &n.to_string(), format!("{n} sample{}", if n == 1 { "" } else { "s" }));
         add(p.light.len() > 1, &format!("{looks}x{lights}"), format!("{looks}\u{2009}×\u{2009}{lights}"));
-        let relation = match self.randomisation {
-            Randomisation::Pixel => "A seed for each pixel",
-            Randomisation::Shift => "A shift for each pixel",
-            Randomisation::Sequence => "One sequence",
-            Randomisation::Same => "The same in all pixels",
-            Randomisation::Tiled => "The same in all tiles",
-            Randomisation::Diagonal => "One shift for all axes",
-        };
-        add(p.randomisation.len() > 1, self.randomisation.word(), relation.to_owned());
+        add(p.randomisation.len() > 1, self.randomisation.name(), self.randomisation.title().to_owned());
         // A sampler that is the same in all pictures need not be told.
         if p.samplers.len() > 1 || words.is_empty() {
             words.iter_mut().for_each(|word| *word = word.to_lowercase());
@@ -343,7 +303,7 @@ fn shot(p: &Render, plan: &Plan, image: &Image, reference: &Reference) -> (Shot,
         method: plan.sampling.method.name(),
         looks: plan.sampling.looks as u32,
         lights: plan.sampling.lights as u32,
-        randomisation: plan.randomisation.word().to_owned(),
+        randomisation: plan.randomisation.name().to_owned(),
         padded: plan.sampling.arrange(p.scene.parts()).is_ok_and(|arrangement| arrangement.padded),
         errors,
         pictures: [const { None }; 3],
@@ -361,28 +321,12 @@ impl Shot {
         self.pictures = [
             shown(Show::Pictures, &|| image.bytes())?,
             shown(Show::Differences, &|| {
-                differences.iter().flat_map(|difference| signed(difference / full)).collect()
+                differences.iter().flat_map(|difference| imaging::signed(difference / full)).collect()
             })?,
-            shown(Show::Spectra, &|| spectrum(&self.errors.powers, size))?,
+            shown(Show::Spectra, &|| imaging::spectrum(&self.errors.powers, size))?,
         ];
         Ok(())
     }
-}
-
-/// The colour of a difference: white for 0, blue down to -1, vermilion up to 1.
-fn signed(share: f64) -> [u8; 3] {
-    let end = if share < 0.0 { [0.0, 104.0, 173.0] } else { [201.0, 72.0, 10.0] };
-    let share = share.abs().min(1.0);
-    end.map(|end| (255.0 + (end - 255.0) * share + 0.5) as u8)
-}
-
-/// The powers in grey, frequency 0 in the middle: black for 1/10 and less, white for 1000 and more, on a logarithmic scale.
-fn spectrum(powers: &[f64], [width, height]: [usize; 2]) -> Vec<u8> {
-    let shade = |power: f64| (255.0 * (portable::log10(power.max(0.1)) + 1.0) / 4.0).clamp(0.0, 255.0) as u8;
-    let place =
-        |row: usize, column: usize| (row + height.div_ceil(2)) % height * width + (column + width.div_ceil(2)) % width;
-    let places = (0..height).flat_map(|row| (0..width).map(move |column| place(row, column)));
-    places.flat_map(|at| [shade(powers.get(at).copied().unwrap_or(0.0)); 3]).collect()
 }
 
 mod drawing {

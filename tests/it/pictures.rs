@@ -55,7 +55,8 @@ fn better_samplers_make_better_pictures() {
     for (scene, least) in [("soft-shadows", 1.4), ("depth-of-field", 1.2), ("motion-blur", 1.4)] {
         let samplers =
             "samplers = [\"independent\", \"padded-jittered\", \"larcher-pillichshammer+xor\", \"sobol+owen\"]";
-        let outcome = outcome(&format!("{SMALL}scene = \"{scene}\"\n{samplers}"));
+        let size = "width = 128\nheight = 96";
+        let outcome = outcome(&format!("kind = \"render\"\nscene = \"{scene}\"\n{size}\n{samplers}"));
         for sampler in ["padded-jittered", "larcher-pillichshammer+xor", "sobol+owen"] {
             let gain = measured(&outcome, &format!("gain.{sampler}"));
             let (value, error) = (gain.number().expect("it"), gain.standard_error.expect("an error"));

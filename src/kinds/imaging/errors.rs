@@ -28,7 +28,7 @@ pub struct Errors {
     pub neighbours_error: f64,
     /// The mean power at low frequencies, 1 where pixels are independent.
     pub low: f64,
-    /// The standard error of that power if pixels are independent.
+    /// The standard error of that power if pixels are independent and of one variance; more where a few pixels err most.
     pub low_error: f64,
     /// The largest power at any frequency but 0; about the logarithm of their number where pixels are independent.
     pub peak: f64,
@@ -47,6 +47,7 @@ impl Errors {
         let (square, square_error) = mean_with_error(&squares);
         let rmse = (square - floor * floor).max(0.0).sqrt();
         let (bias, bias_error) = mean_with_error(errors);
+        let (neighbours, neighbours_error) = neighbours(errors, width, square);
         let powers = fourier::power(errors, width);
         let (rings, low, count) = rings(&powers, width);
         let largest = powers.iter().skip(1).copied().fold(0.0, f64::max);
@@ -55,8 +56,8 @@ impl Errors {
             rmse_error: square_error.filter(|_| independent && rmse > 0.0).map(|error| error / (2.0 * rmse)),
             bias,
             bias_error: bias_error.filter(|_| independent),
-            neighbours: neighbours(errors, width, square),
-            neighbours_error: (0.5 / errors.len().max(1) as f64).sqrt(),
+            neighbours,
+            neighbours_error,
             low,
             // Powers come in pairs of equals, and each is as large as its standard deviation.
             low_error: (2.0 / count as f64).sqrt(),
@@ -67,12 +68,17 @@ impl Errors {
     }
 }
 
-/// The correlation of neighbours, across and along, whose mean square is `square`.
-fn neighbours(errors: &[f64], width: usize, square: f64) -> f64 {
+/// The correlation of neighbours, across and along, whose mean square is `square`, and its standard error if they are independent: the
+/// products then have mean 0, whatever the variances of the pixels.
+fn neighbours(errors: &[f64], width: usize, square: f64) -> (f64, f64) {
     let across = errors.chunks_exact(width.max(1)).flat_map(|row| row.windows(2).map(|pair| pair[0] * pair[1]));
     let along = errors.iter().zip(errors.iter().skip(width)).map(|(a, b)| a * b);
     let products: Vec<f64> = across.chain(along).collect();
-    if square > 0.0 && !products.is_empty() { moments::mean(&products) / square } else { 0.0 }
+    if square <= 0.0 || products.is_empty() {
+        return (0.0, 0.0);
+    }
+    let spread = moments::root_mean_square(&products) / (products.len() as f64).sqrt();
+    (moments::mean(&products) / square, spread / square)
 }
 
 /// The mean power in each ring, the mean power at low frequencies, and how many those are.

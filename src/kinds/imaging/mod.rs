@@ -1,6 +1,8 @@
 //! Imaging: pictures in parallel, the reference that many share, and what their errors are like.
 
 mod errors;
+mod randomisation;
+mod shades;
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -12,12 +14,14 @@ use crate::catalogue::About;
 use crate::raster::{Png, Raster};
 use crate::samplers::Method;
 use crate::scenes::Scene;
-use crate::scenes::film::{Image, Randomisation, Rendering, Sampling, Unfit};
+use crate::scenes::film::{self, Image, Rendering, Sampling, Unfit};
 use crate::scenes::tracer::Colour;
 use crate::seed::Seed;
 use crate::stats::moments;
 
 pub use errors::{Errors, RINGS};
+pub use randomisation::Randomisation;
+pub use shades::{signed, spectrum};
 
 /// The sampler of references: the best of those that are fast.
 const REFERENCE: &str = "sobol+owen-hash";
@@ -77,7 +81,7 @@ fn halves(scene: &'static dyn Scene, size: [usize; 2], samples: usize) -> Result
     }
     let method = Method::parse(REFERENCE).map_err(|error| failure(error.to_string()))?;
     let looks = (samples / 2).max(1);
-    let sampling = Sampling { method, looks, lights: 1, randomisation: Randomisation::Pixel, padded: false };
+    let sampling = Sampling { method, looks, lights: 1, randomisation: film::Randomisation::Pixel, padded: false };
     // Not the experiment's seed: a reference belongs to its scene.
     let seed = Seed::new(0).named("reference").named(address.0);
     let half =
