@@ -32,7 +32,7 @@ parameters! {
     /// What stepping through best candidates can choose.
     pub struct CandidateSteps {
         /// How many points, one step each.
-        n: usize [in 2..=40] = 12,
+        n: usize [in 2..=40] = 10,
     }
 }
 

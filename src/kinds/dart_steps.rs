@@ -33,7 +33,7 @@ parameters! {
     /// What stepping through dart throwing can choose.
     pub struct DartSteps {
         /// How many darts are thrown, one step each.
-        tries: usize [in 2..=96] = 24,
+        tries: usize [in 2..=96] = 16,
         /// The least distance of two accepted darts.
         radius: f64 [in 0.02..=0.7] = 0.2,
     }

@@ -161,7 +161,7 @@ mod drawing {
         let ticks = ticks.into_iter().map(|(at, label)| (at, label.into())).collect();
         let top = levels as f64;
         let y = Axis::linear("").range(-1.3, top + 0.25).hidden();
-        let x = Axis::linear("").range(0.0, 1.0).ticks_at(ticks);
+        let x = Axis::linear("").range(-0.02, 1.02).ticks_at(ticks);
         let mut panel = Panel::new(x, y).ratio(0.11 * (top + 1.8));
         // A node at a level and its slab there.
         let place = |level: usize, slab: usize| ((slab as f64 + 0.5) / f64::from(1_u32 << level), top - level as f64);
