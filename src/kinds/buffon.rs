@@ -111,6 +111,14 @@ fn estimate(p: &Buffon, (n, crossings): (u64, u64)) -> Option<(f64, f64)> {
     (crossings > 0).then(|| (pi, pi * ((1.0 - share) / (n as f64 * share)).sqrt()))
 }
 
+/// By how many standard deviations the number of crossings is off the expected one; positive where the estimate of pi is too large.
+///
+/// It has the exact deviation, not the one that the needles show: of ten needles all may cross.
+fn z(p: &Buffon, (n, crossings): (u64, u64)) -> f64 {
+    let (n, share) = (n as f64, 2.0 * p.length / std::f64::consts::PI);
+    (n * share - crossings as f64) / (n * share * (1.0 - share)).sqrt()
+}
+
 impl Kind for BuffonKind {
     type Parameters = Buffon;
     type Data = Data;
@@ -148,10 +156,10 @@ impl Kind for BuffonKind {
                 let n = row.0;
                 values.estimate(format!("pi.{n}"), pi, error);
                 values.number(format!("error.{n}"), pi - std::f64::consts::PI);
-                let z = (pi - std::f64::consts::PI) / error;
-                values.number(format!("z.{n}"), z);
-                largest = largest.max(z.abs());
             }
+            let z = z(p, row);
+            values.number(format!("z.{}", row.0), z);
+            largest = largest.max(z.abs());
         }
         values.number("largest.z", largest);
         if let Some(&(stopped, exact)) = data.stops.last() {
@@ -274,7 +282,7 @@ fn stopping(looks: usize) -> Vec<f64> {
 mod drawing {
     //! The needles on their boards, the tables, and the words.
 
-    use super::{Buffon, Data, LOOK, Show, estimate};
+    use super::{Buffon, Data, LOOK, Show, estimate, z};
     use crate::chart::number::{fixed, integer, significant};
     use crate::chart::{Axis, Cell, Chart, ChartError, Column, Drawing, Key, Line, Panel, Rule, Sheet, Style, Table};
 
@@ -318,8 +326,7 @@ mod drawing {
             match estimate(p, row) {
                 Some((pi, error)) => {
                     let off = pi - std::f64::consts::PI;
-                    let z = if error > 0.0 { Cell::fixed(off / error, 2) } else { Cell::Empty };
-                    cells.extend([Cell::estimate(pi, error), Cell::significant(off, 2), z]);
+                    cells.extend([Cell::estimate(pi, error), Cell::significant(off, 2), Cell::fixed(z(p, row), 2)]);
                 }
                 None => cells.push(Cell::text("none: no needle crosses")),
             }
