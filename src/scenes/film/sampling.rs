@@ -269,7 +269,7 @@ impl Pixels {
 
     /// The sequence that covers the image.
     fn enumerated(&self, height: usize) -> Result<Enumerated, Unfit> {
-        let digits = |count: usize, base: u64| (0..).find(|&k| base.saturating_pow(k) >= count as u64).unwrap_or(0);
+        let digits = |count: usize, base: u64| (0..64).find(|&k| base.saturating_pow(k) >= count as u64).unwrap_or(0);
         let (bases, digits, block): ([u64; 2], _, _) = if self.sampling.key() == "halton" {
             ([2, 3], [digits(self.width, 2), digits(height, 3)], None)
         } else {
@@ -291,24 +291,21 @@ impl Enumerated {
         let cells = [column as u64, row as u64];
         let interval = |axis: usize| Interval { axis, digits: self.digits[axis], cell: cells[axis] };
         let intervals = [interval(0), interval(1)];
-        let indices: Vec<u64> = match self.block {
-            Some(m) => enumeration::sobol(&intervals, m, 0).ok_or(Unfit::Sequence)?,
-            None => {
-                let all = enumeration::halton(&intervals).ok_or(Unfit::Sequence)?;
-                (0..looks as u64).map(|k| all.first + k * all.step).collect()
-            }
+        let indices: Vec<u64> = if let Some(m) = self.block {
+            enumeration::sobol(&intervals, m, 0).ok_or(Unfit::Sequence)?
+        } else {
+            let all = enumeration::halton(&intervals).ok_or(Unfit::Sequence)?;
+            (0..looks as u64).map(|k| all.first + k * all.step).collect()
         };
         let mut points = Vec::with_capacity(looks * axes);
         for index in indices.into_iter().take(looks) {
             for axis in 0..axes {
                 let x = (self.at)(index, axis);
-                points.push(match cells.get(axis) {
-                    // Exact for base 2; for base 3 rounding could leave the pixel by a hair.
-                    Some(&cell) => {
-                        (x * self.bases[axis].pow(self.digits[axis]) as f64 - cell as f64).clamp(0.0, BELOW_ONE)
-                    }
-                    None => x,
-                });
+                // Exact for base 2; for base 3 rounding could leave the pixel by a hair.
+                points.push(cells.get(axis).map_or(x, |&cell| {
+                    let side = self.bases[axis].pow(self.digits[axis]) as f64;
+                    (x * side - cell as f64).clamp(0.0, BELOW_ONE)
+                }));
             }
         }
         Ok(Samples { looks: points, lights: Vec::new() })

@@ -35,6 +35,7 @@ impl Vector {
 
     /// The vector product.
     #[inline]
+    #[must_use]
     pub fn cross(self, other: Self) -> Self {
         Self {
             x: self.y * other.z - self.z * other.y,
