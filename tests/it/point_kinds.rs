@@ -357,3 +357,24 @@ fn several_integrands_are_panels_and_powers_are_told_apart() {
     assert!(powers < -1.25 && between > powers + 0.1, "{powers} {between}");
     assert!(svg(fence).contains("<path"));
 }
+
+#[test]
+fn spectra_predict_the_variance_of_estimates() {
+    let fence = "kind = 'spectral-error'\nsamplers = ['independent', 'jittered', 'sobol', 'latin-hypercube']\nn = 64\nreplicates = 300";
+    let outcome = outcome(fence);
+    // The integral of exp(cos a + cos b) is I0(1)^2, that of its square I0(2)^2.
+    let integral = bessel(1.0).powi(2);
+    assert!((number(&outcome, "integral") - integral).abs() < 1e-12);
+    let variance = (bessel(2.0).powi(2) - integral.powi(2)) / 64.0;
+    for (name, exact) in [("measured", variance), ("predicted", variance)] {
+        let name = format!("{name}.independent");
+        let z = (number(&outcome, &name) - exact) / error(&outcome, &name);
+        assert!(z.abs() < 4.0, "{name}: {z}");
+    }
+    for method in ["independent", "jittered", "sobol", "latin-hypercube"] {
+        assert!(number(&outcome, &format!("z.{method}")).abs() < 4.0, "{method}");
+    }
+    assert!(number(&outcome, "predicted.jittered") < 0.3 * variance);
+    assert!(svg(&format!("{fence}\nshow = 'overlap'")).contains("integrand"));
+    assert_eq!(rows(fence).len(), 4);
+}

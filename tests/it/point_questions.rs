@@ -83,27 +83,6 @@ fn bessel(x: f64) -> f64 {
 }
 
 #[test]
-fn spectra_predict_the_variance_of_estimates() {
-    let fence = "kind = 'spectral-error'\nsamplers = ['independent', 'jittered', 'sobol', 'latin-hypercube']\nn = 64\nreplicates = 300";
-    let outcome = outcome(fence);
-    // The integral of exp(cos a + cos b) is I0(1)^2, that of its square I0(2)^2.
-    let integral = bessel(1.0).powi(2);
-    assert!((number(&outcome, "integral") - integral).abs() < 1e-12);
-    let variance = (bessel(2.0).powi(2) - integral.powi(2)) / 64.0;
-    for (name, exact) in [("measured", variance), ("predicted", variance)] {
-        let name = format!("{name}.independent");
-        let z = (number(&outcome, &name) - exact) / error(&outcome, &name);
-        assert!(z.abs() < 4.0, "{name}: {z}");
-    }
-    for method in ["independent", "jittered", "sobol", "latin-hypercube"] {
-        assert!(number(&outcome, &format!("z.{method}")).abs() < 4.0, "{method}");
-    }
-    assert!(number(&outcome, "predicted.jittered") < 0.3 * variance);
-    assert!(svg(&format!("{fence}\nshow = 'overlap'")).contains("integrand"));
-    assert_eq!(rows(fence).len(), 4);
-}
-
-#[test]
 fn a_lattice_errs_by_its_dual_alone() {
     // The points i/5, 2i/5 see the wave (2, -1), which repeats on them, and miss all others of its length.
     let outcome = outcome(
