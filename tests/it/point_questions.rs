@@ -72,23 +72,3 @@ fn the_number_of_threads_never_shows() {
         assert!(on(1) == on(3), "{fence}");
     }
 }
-
-/// The modified Bessel function I0, by its series.
-fn bessel(x: f64) -> f64 {
-    let term = |term: &mut f64, k: u32| {
-        *term *= (x / 2.0) * (x / 2.0) / f64::from(k * k);
-        Some(*term)
-    };
-    1.0 + (1..40).scan(1.0, term).sum::<f64>()
-}
-
-#[test]
-fn a_lattice_errs_by_its_dual_alone() {
-    // The points i/5, 2i/5 see the wave (2, -1), which repeats on them, and miss all others of its length.
-    let outcome = outcome(
-        "kind = 'spectral-error'\nsamplers = 'korobov(generator=2)'\nn = 5\nreach = 4\n\
-         integrand = 'cos(6.283185307179586*(2*x - y)) + cos(6.283185307179586*x)'",
-    );
-    assert!((number(&outcome, "predicted.korobov(generator=2)") - 0.5).abs() < 1e-12);
-    assert!(number(&outcome, "z.korobov(generator=2)").abs() < 4.0);
-}
