@@ -195,10 +195,8 @@ fn every_kind_documents_its_parameters_and_its_defaults_read() {
         let parameters = kind.parameters();
         let written = parameters.iter().filter(|doc| doc.required);
         let mut written: Vec<String> = written.map(|doc| format!("{} = {}", doc.name, least(key, doc.name))).collect();
-        if key == "distribution" {
-            // A law is either named or written.
-            written.push("law = \"normal\"".to_owned());
-        }
+        // One of two must be given.
+        written.extend((key == "distribution").then(|| "law = \"normal\"".to_owned()));
         let planned = plan(&format!("kind = \"{key}\"\n{}", written.join("\n")));
         assert!(planned.is_ok(), "{key}: {:?}", planned.err());
     }

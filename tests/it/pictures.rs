@@ -1,27 +1,11 @@
 //! The rendered pictures: what their errors are, that they are the same on any number of threads, and what is refused.
 
+use crate::asked::{measured, number, outcome};
 use crate::parameters::plan;
 use workbook::chart::{Drawing, Sheet};
-use workbook::kinds::{Measured, Outcome, Value};
 use workbook::seed::Seed;
 
 const SMALL: &str = "kind = \"render\"\nwidth = 64\nheight = 48\nreference = 512\n";
-
-fn outcome(fence: &str) -> Outcome {
-    let experiment = plan(fence).unwrap_or_else(|complaints| panic!("{complaints:#?}"));
-    experiment.run(Seed::new(1)).unwrap_or_else(|failure| panic!("{failure:?}"))
-}
-
-fn measured<'a>(outcome: &'a Outcome, name: &str) -> &'a Measured {
-    outcome.values.get(name).unwrap_or_else(|| panic!("no {name} among {:?}", outcome.values))
-}
-
-fn number(outcome: &Outcome, name: &str) -> f64 {
-    match measured(outcome, name).value {
-        Value::Number(number) => number,
-        ref other => panic!("{name} is {other:?}"),
-    }
-}
 
 #[test]
 fn threads_never_show_in_a_picture() {

@@ -5,7 +5,7 @@ use crate::parameters::plan;
 use workbook::chart::{Drawing, Sheet};
 use workbook::seed::Seed;
 
-fn drawn(fence: &str) -> (Drawing, String) {
+pub fn drawn(fence: &str) -> (Drawing, String) {
     let experiment = plan(fence).unwrap_or_else(|complaints| panic!("{fence}: {complaints:#?}"));
     let outcome = experiment.run(Seed::new(1)).unwrap_or_else(|failure| panic!("{fence}: {failure:?}"));
     assert_eq!(experiment.revive(outcome.bytes.clone()).as_ref(), Some(&outcome), "{fence}");
@@ -328,73 +328,4 @@ fn several_integrands_are_panels_and_powers_are_told_apart() {
     let (powers, between) = (number(&net, "slope.sobol+owen"), number(&net, "slope.between.sobol+owen"));
     assert!(powers < -1.25 && between > powers + 0.1, "{powers} {between}");
     assert!(svg(fence).contains("<path"));
-}
-
-/// Nothing that an author can write makes a kind panic, and what cannot be is said in words.
-#[test]
-fn degenerate_questions_are_answered_or_refused_in_words() {
-    let good = [
-        "kind = \"points\"\nsampler = \"halton\"\nn = 1\norder = true\nlabels = true\ndisks = true\nworst = true\nprojections = true",
-        "kind = \"points\"\nsampler = \"sobol\"\nn = 5\ndimensions = 1\nelementary = [2, 0]\nworst = true\norder = true",
-        "kind = \"points\"\nsampler = \"sobol\"\nn = 4096\ndisks = true\nradius = 0.5",
-        "kind = \"projections\"\nsampler = \"grid\"\nn = 4\npairs = [[1, 2]]",
-        "kind = \"spectrum\"\nsampler = \"grid\"\nn = 16\nreach = 8\nshow = \"anisotropy\"",
-        "kind = \"spectrum\"\nsampler = \"centred-grid\"\nn = 16\nreach = 8\nshow = \"logarithmic\"",
-        "kind = \"spectrum\"\nsampler = \"independent\"\nn = 1\nreplicates = 1\nreach = 4",
-        "kind = \"discrepancy\"\nsampler = \"independent\"\nn = 1\nreplicates = 1",
-        "kind = \"discrepancy\"\nsampler = \"sobol\"\nn = \"2^1..2^4\"\nmeasure = \"t-value\"",
-        "kind = \"discrepancy\"\nsampler = \"grid\"\nn = [4, 16]\nmeasure = \"largest-correlation\"",
-        "kind = \"measures\"\nsampler = \"independent\"\nn = 1\ndimensions = 1",
-        "kind = \"measures\"\nsampler = \"independent\"\nn = 7\ndimensions = 3\nreplicates = 3\nmeasures = \"l2-star\"",
-        "kind = \"koksma-hlawka\"\nsampler = \"centred-grid\"\nintegrand = \"x\"\nn = 1\nform = \"figure\"",
-        "kind = \"digits\"\nbase = 36\nfrom = 4294967295\nn = 1\ndecimals = 0",
-        "kind = \"bit-reversal\"\nindices = 1",
-        "kind = \"occupancy\"\nsampler = \"independent\"\nn = 2",
-        "kind = \"guarantees\"\nsampler = \"independent\"\nn = 2\ndimensions = 1\nseeds = 1\nproperties = [\"pairs\", \"separated\", \"cells\"]",
-        "kind = \"enumeration\"\ndigits = [1, 1]\nsamples = 1\nrows = 1",
-        "kind = \"strata-count\"\nper_axis = [1, 1000000]\ndimensions = 64",
-    ];
-    for fence in good {
-        match drawn(fence).0 {
-            Drawing::Table(table) => assert!(!table.rows.is_empty(), "{fence}"),
-            Drawing::Figure(figure) => assert!(figure.svg.contains("<svg"), "{fence}"),
-            _ => panic!("{fence}"),
-        }
-    }
-    let wrong = [
-        "kind = \"points\"\nsampler = \"halton\"\nelementary = [24, 24]",
-        "kind = \"points\"\nsampler = \"halton\"\nelementary = 3",
-        "kind = \"points\"\nsampler = \"halton\"\nelementary = [1, 2, 3]",
-        "kind = \"projections\"\nsampler = \"halton\"\npairs = [[3, 3]]",
-        "kind = \"projections\"\nsampler = \"halton\"\npairs = [1, 2]",
-        "kind = \"projections\"\nsampler = \"halton\"\npairs = [[1, 9]]\ndimensions = 4",
-        "kind = \"spectrum\"\nsampler = \"jittered\"\nn = 10",
-        "kind = \"spectrum\"\nsampler = \"independent\"\nreach = 256\nreplicates = 10000",
-        "kind = \"discrepancy\"\nsampler = \"halton\"\nmeasure = \"star\"",
-        "kind = \"koksma-hlawka\"\nsampler = \"halton\"\nintegrand = \"x + y\"",
-        "kind = \"digits\"\nbases = [2, 3, 5, 7, 11]",
-        "kind = \"enumeration\"\nsampler = \"sobol\"\nsamples = 3",
-        "kind = \"enumeration\"\ndigits = [12, 12]",
-        "kind = \"convergence\"\nsampler = \"halton\"\nintegrand = \"xy\"\nn = [3, 5]\npowers = 2",
-    ];
-    for fence in wrong {
-        let complaints = plan(fence).err().unwrap_or_else(|| panic!("{fence} is accepted"));
-        assert!(complaints.iter().all(|complaint| complaint.message.len() > 15), "{fence}: {complaints:#?}");
-    }
-}
-
-#[test]
-fn the_number_of_threads_never_shows() {
-    let fences = [
-        "kind = \"spectrum\"\nsamplers = [\"independent\", \"bridson\"]\nn = 64\nreplicates = 20\nreach = 8",
-        "kind = \"discrepancy\"\nsamplers = [\"independent\", \"halton\"]\nn = \"2^2..2^6\"",
-        "kind = \"guarantees\"\nsamplers = [\"multi-jittered\", \"sobol+xor\"]\nseeds = 20",
-    ];
-    for fence in fences {
-        let on = |threads: usize| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-            pool.install(|| outcome(fence)).bytes
-        };
-        assert!(on(1) == on(3), "{fence}");
-    }
 }

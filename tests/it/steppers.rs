@@ -1,9 +1,10 @@
 //! Steppers: what each kind of them computes, that every step is there and small, and that strata hold in every frame as written.
 
+use crate::asked::{holds, number, outcome};
 use crate::course::Course;
 use crate::parameters::plan;
 use workbook::chart::{Drawing, Sheet, Stepper};
-use workbook::kinds::{KINDS, Outcome, Value};
+use workbook::kinds::KINDS;
 use workbook::seed::Seed;
 
 /// A fence of each kind of stepper as a course would ask for it, with the number of its steps.
@@ -27,32 +28,12 @@ const FENCES: &[(&str, usize)] = &[
     ("kind = \"padding-steps\"", 12),
 ];
 
-fn outcome(fence: &str) -> Outcome {
-    let experiment = plan(fence).unwrap_or_else(|complaints| panic!("{fence}: {complaints:#?}"));
-    experiment.run(Seed::new(1)).unwrap_or_else(|failure| panic!("{fence}: {failure:?}"))
-}
-
 fn stepper(fence: &str) -> Stepper {
     let experiment = plan(fence).unwrap_or_else(|complaints| panic!("{fence}: {complaints:#?}"));
     let sheet = Sheet::new("fig-a", "A title", "A description");
     match experiment.draw(&outcome(fence), &sheet) {
         Ok(Drawing::Stepper(stepper)) => stepper,
         other => panic!("{fence}: {other:?}"),
-    }
-}
-
-fn number(outcome: &Outcome, name: &str) -> f64 {
-    match outcome.values.get(name).map(|measured| &measured.value) {
-        Some(Value::Number(number)) => *number,
-        Some(Value::Integer(integer)) => *integer as f64,
-        other => panic!("{name} is {other:?} among {:?}", outcome.values),
-    }
-}
-
-fn boolean(outcome: &Outcome, name: &str) -> bool {
-    match outcome.values.get(name).map(|measured| &measured.value) {
-        Some(Value::Boolean(truth)) => *truth,
-        other => panic!("{name} is {other:?} among {:?}", outcome.values),
     }
 }
 
@@ -178,15 +159,15 @@ fn the_steps_lead_to_what_the_samplers_give() {
         let outcome = outcome(fence);
         let flags = ["agrees", "one-per-slab.every-step", "one-per-cell.every-step", "stratified.every-step"];
         for flag in flags.into_iter().filter(|flag| outcome.values.get(flag).is_some()) {
-            assert!(boolean(&outcome, flag), "{fence}: {flag}");
+            assert!(holds(&outcome, flag), "{fence}: {flag}");
         }
     }
     for kind in ["shuffle-steps", "dart-steps", "candidate-steps", "digit-steps", "xor-steps", "owen-steps"] {
         assert!(outcome(&format!("kind = \"{kind}\"")).values.get("agrees").is_some(), "{kind}");
     }
     for levels in 1..=5 {
-        assert!(boolean(&outcome(&format!("kind = \"owen-steps\"\nlevels = {levels}")), "agrees"));
-        assert!(boolean(&outcome(&format!("kind = \"xor-steps\"\nbits = {levels}")), "agrees"));
+        assert!(holds(&outcome(&format!("kind = \"owen-steps\"\nlevels = {levels}")), "agrees"));
+        assert!(holds(&outcome(&format!("kind = \"xor-steps\"\nbits = {levels}")), "agrees"));
     }
 }
 
@@ -196,10 +177,10 @@ fn what_is_known_is_found() {
     assert_eq!(number(&digits, "phi"), 0.8125, "1011 reflected is .1101");
     assert_eq!(number(&outcome("kind = \"digit-steps\"\nindex = 5\nbase = 3"), "phi"), 7.0 / 9.0, "12 is .21");
     let line = outcome("kind = \"line-steps\"");
-    assert!(boolean(&line, "biggest.every-step.van-der-corput") && boolean(&line, "halved.every-step.van-der-corput"));
+    assert!(holds(&line, "biggest.every-step.van-der-corput") && holds(&line, "halved.every-step.van-der-corput"));
     assert_eq!(number(&line, "gap.max.van-der-corput"), 0.0625);
     let random = outcome("kind = \"line-steps\"\nsampler = \"independent\"");
-    assert!(!boolean(&random, "biggest.every-step.independent"));
+    assert!(!holds(&random, "biggest.every-step.independent"));
     let intervals = outcome("kind = \"interval-steps\"\nsamplers = [\"sobol\", \"halton\", \"independent\"]");
     assert_eq!(number(&intervals, "violations.sobol"), 0.0);
     assert!(number(&intervals, "violations.halton") > 0.0 && number(&intervals, "violations.independent") > 0.0);
@@ -217,7 +198,7 @@ fn what_is_known_is_found() {
     assert_eq!((number(&boxes, "estimate.4"), number(&boxes, "exact")), (0.375, 0.5), "(0 + 1/4 + 1/2 + 3/4) / 4");
     let one = outcome("kind = \"growth-steps\"\nn = 1");
     assert_eq!(number(&one, "star.halton.1"), 1.0, "a point at the origin");
-    assert!(!boolean(&outcome("kind = \"growth-steps\"\nsampler = \"hammersley\""), "grows.hammersley"));
+    assert!(!holds(&outcome("kind = \"growth-steps\"\nsampler = \"hammersley\""), "grows.hammersley"));
     let worst = outcome("kind = \"box-steps\"\nboxes = 40");
     assert!(number(&worst, "largest.random") <= number(&worst, "star.independent"));
     assert_eq!(number(&worst, "difference.41"), number(&worst, "star.independent"), "the last box attains it");
