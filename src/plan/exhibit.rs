@@ -157,22 +157,21 @@ pub(super) fn bad_id(id: &str, prefixes: &[&str], range: std::ops::Range<usize>)
 
 /// The kind that the fence names.
 fn read_kind(fields: &mut Fields<'_>) -> Option<&'static dyn AnyKind> {
-    let keys = || KINDS.iter().map(|kind| kind.about().key);
+    const ALL: &str = "`workbook list kinds` shows them all, `workbook list kinds NAME` what one of them takes";
     let Some(written) = fields.read::<String>("kind") else {
         if fields.value("kind").is_none() {
             let complaint = Complaint::new(Code::MissingKey, fields.place("id"), "the key `kind` is missing");
-            fields.complaints.push(complaint.help(format!("kinds are {}", keys().collect::<Vec<_>>().join(", "))));
+            fields.complaints.push(complaint.help("such as `kind = \"convergence\"`").help(ALL));
         }
         return None;
     };
     let found = KINDS.iter().copied().find(|kind| kind.about().key == written);
     if found.is_none() {
-        let near = nearest(&written, keys()).map(|near| format!("did you mean `{near}`?"));
+        let near =
+            nearest(&written, KINDS.iter().map(|kind| kind.about().key)).map(|near| format!("did you mean `{near}`?"));
         let complaint =
             Complaint::new(Code::UnknownName, fields.place("kind"), format!("there is no kind `{written}`"));
-        fields
-            .complaints
-            .push(complaint.help_if(near).help(format!("kinds are {}", keys().collect::<Vec<_>>().join(", "))));
+        fields.complaints.push(complaint.help_if(near).help(ALL));
     }
     found
 }

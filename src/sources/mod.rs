@@ -88,7 +88,14 @@ impl<'a> Sources<'a> {
         let dependencies = dependencies(locked);
         let (entries, units, engine) = (listed.clone(), BTreeMap::new(), dependencies);
         let mut sources = Self { files, entries, listed, named, units, engine, dependencies };
-        sources.entries.extend(sources.linking());
+        // A module can use entries through another such module.
+        loop {
+            let linking = sources.linking();
+            if linking.is_empty() {
+                break;
+            }
+            sources.entries.extend(linking);
+        }
         sources.units = sources.entries.iter().filter_map(|&entry| Some((entry, sources.unit(entry)?))).collect();
         sources.engine = sources.digest_engine();
         sources
@@ -126,7 +133,7 @@ impl<'a> Sources<'a> {
         digests
     }
 
-    /// The modules that a catalogue's folder declares, that are no entries, and that use some.
+    /// The modules that a catalogue's folder declares, that are not known yet as entries, and that use some that are.
     ///
     /// As part of the engine they would make those entries count for every experiment; so they count where they are used, as entries do.
     fn linking(&self) -> BTreeSet<Entry<'a>> {
@@ -138,7 +145,7 @@ impl<'a> Sources<'a> {
             let list = self.files.get_key_value(format!("{folder}/mod.rs").as_str())?.1;
             let declared = || lex::tokens(list).windows(3).any(|words| declares(words, entry.1));
             let links = !self.uses(file).is_empty() && self.listed.iter().any(|listed| listed.0 == folder);
-            (entry.1 != "mod" && !self.listed.contains(&entry) && links && declared()).then_some(entry)
+            (entry.1 != "mod" && !self.entries.contains(&entry) && links && declared()).then_some(entry)
         });
         modules.collect()
     }

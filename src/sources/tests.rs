@@ -107,6 +107,11 @@ fn a_module_that_uses_entries_counts_where_it_is_used() {
     edit("kinds/points.rs", "fn run() {}", "fn run() { crate::samplers::link::link() }")(&mut table);
     assert_eq!(differ(&link, &table), ["kinds/points.rs"]);
     assert_eq!(differ(&halton, &table), ["kinds/points.rs", "kinds/table.rs", "samplers/halton.rs"]);
+    // Through another module of this sort it counts there too, and still not for all.
+    table.insert("samplers/chain.rs".into(), "use super::link; pub fn chain() {}".into());
+    edit("samplers/mod.rs", "pub mod link;", "pub mod link;\npub mod chain;")(&mut table);
+    edit("kinds/table.rs", "use", "use crate::samplers::chain;\nuse")(&mut table);
+    assert_eq!(differ(&link, &table), ["kinds/points.rs", "kinds/table.rs"]);
     edit("stats/moments.rs", "{}", "{ crate::samplers::link::link() }")(&mut table);
     assert!(differ(&link, &table).contains(&"engine"));
     assert!(differ(&halton, &table).contains(&"engine"));
@@ -181,6 +186,7 @@ fn every_part_of_the_library_is_known_to_compute_or_not() {
         "metrics",
         "scenes",
         "raster.rs",
+        "vectors.rs",
         "stats",
         "parameters",
         "kinds",

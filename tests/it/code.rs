@@ -10,6 +10,7 @@ use workbook::kinds::KINDS;
 use workbook::metrics::METRICS;
 use workbook::plan::Exhibit;
 use workbook::samplers::SAMPLERS;
+use workbook::scenes::SCENES;
 use workbook::scrambles::SCRAMBLES;
 use workbook::sources as code;
 
@@ -20,7 +21,9 @@ fn abouts() -> Vec<&'static About> {
     let scrambles = SCRAMBLES.iter().map(|entry| entry.about());
     let integrands = INTEGRANDS.iter().map(|entry| entry.about());
     let metrics = METRICS.iter().map(|entry| entry.about());
-    samplers.chain(scrambles).chain(integrands).chain(metrics).chain(KINDS.iter().map(|kind| kind.about())).collect()
+    let scenes = SCENES.iter().map(|entry| entry.about());
+    let kinds = KINDS.iter().map(|kind| kind.about());
+    samplers.chain(scrambles).chain(integrands).chain(metrics).chain(scenes).chain(kinds).collect()
 }
 
 #[test]

@@ -27,6 +27,8 @@ type Texts = BTreeMap<String, String>;
 const DIAGNOSTICS: &str = "expected.txt";
 /// The folder with the book.
 const BOOK: &str = "expected/";
+/// The page that tells every kind of this build.
+const KINDS_PAGE: &str = "kinds.html";
 /// The list of files that are no pages.
 const OTHERS: &str = "expected/others.txt";
 
@@ -98,7 +100,7 @@ fn given(case: &str) -> Texts {
     let keys = keys(book.get("figures.json").map(Vec::as_slice).unwrap_or_default());
     let mut others = String::new();
     for (path, bytes) in book {
-        if extension(&path) == Some("html") || path == "figures.json" {
+        if is_compared(&path, case) {
             texts.insert(format!("{BOOK}{path}"), without_keys(String::from_utf8(bytes).unwrap(), &keys));
         } else {
             let _ = writeln!(others, "{path}: {}", other(&path, &bytes));
@@ -108,6 +110,12 @@ fn given(case: &str) -> Texts {
         texts.insert(OTHERS.to_owned(), others);
     }
     texts
+}
+
+/// Whether a file is expected as a text: the page of kinds is that of this build, and of the gallery, which is large, the drawings and
+/// data are in the list of files, each with its digest.
+fn is_compared(path: &str, case: &str) -> bool {
+    path == "figures.json" || (extension(path) == Some("html") && path != KINDS_PAGE && case != "gallery")
 }
 
 /// The keys of all exhibits.
@@ -127,6 +135,9 @@ fn without_keys(mut text: String, keys: &[String]) -> String {
 
 /// What a file that is no page is: that of the templates, one that begins with it, or its digest.
 fn other(path: &str, bytes: &[u8]) -> String {
+    if path == KINDS_PAGE || extension(path) == Some("html") {
+        return "a page".to_owned();
+    }
     let template = fs::read(Path::new(PACKAGE).join("templates").join(path));
     let css = workbook::chart::palette::css();
     let (text, colours) = match bytes.strip_suffix(css.as_bytes()) {

@@ -197,6 +197,7 @@ fn every_kind_documents_its_parameters_and_its_defaults_read() {
         let mut written: Vec<String> = written.map(|doc| format!("{} = {}", doc.name, least(key, doc.name))).collect();
         // One of two must be given.
         written.extend((key == "distribution").then(|| "law = \"normal\"".to_owned()));
+        written.extend((key == "averaging").then(|| "integrand = \"exp-sin\"".to_owned()));
         let planned = plan(&format!("kind = \"{key}\"\n{}", written.join("\n")));
         assert!(planned.is_ok(), "{key}: {:?}", planned.err());
     }
