@@ -51,7 +51,7 @@ fn sizes() {
     let drawings = composed.shown.iter().filter_map(|shown| match &shown.drawing {
         Drawing::Figure(figure) => Some(figure.svg.len()),
         Drawing::Stepper(stepper) => Some(stepper.text().len()),
-        Drawing::Table(_) => None,
+        Drawing::Table(_) | Drawing::Pictures(_) => None,
     });
     let (plan, outcome) = many_points();
     let Drawing::Figure(points) = draw(&plan, &outcome) else { panic!("points are drawn as a figure") };

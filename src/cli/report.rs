@@ -24,11 +24,11 @@ pub(super) fn diagnostics(found: &[Diagnostic], workspace: &Workspace, options: 
         });
         text.push('\n');
     }
-    if !matches!(options.format, Format::Json | Format::Github) {
+    if matches!(options.format, Format::Json | Format::Github) {
+        to_stdout(&text);
+    } else {
         text.push_str(&count(found));
         to_stderr(&text);
-    } else {
-        to_stdout(&text);
     }
 }
 

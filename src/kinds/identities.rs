@@ -50,7 +50,7 @@ parameters! {
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Data {
     rows: Vec<Row>,
-    /// V[Y1] + V[Y2], which ignores that dependent variables vary together.
+    /// `V[Y1] + V[Y2]`, which ignores that dependent variables vary together.
     ignorant: f64,
 }
 

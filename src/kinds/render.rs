@@ -280,7 +280,9 @@ impl Plan {
         add(p.randomisation.len() > 1, self.randomisation.name(), self.randomisation.title().to_owned());
         // A sampler that is the same in all pictures need not be told.
         if p.samplers.len() > 1 || words.is_empty() {
-            words.iter_mut().for_each(|word| *word = word.to_lowercase());
+            for word in &mut words {
+                *word = word.to_lowercase();
+            }
             words.insert(0, method.title());
         }
         (name, words.join(", "))

@@ -100,7 +100,8 @@ struct Curve {
 impl Curve {
     /// The difference of both variances in standard errors.
     fn z(&self) -> f64 {
-        (self.measured.0 - self.predicted.0) / self.measured.1.hypot(self.predicted.1)
+        let (measured, predicted) = (self.measured.1, self.predicted.1);
+        (self.measured.0 - self.predicted.0) / (measured * measured + predicted * predicted).sqrt()
     }
 }
 
@@ -246,8 +247,10 @@ impl Waves {
 fn curve(p: &SpectralError, method: &Method, placing: &Placing, energies: &Energies) -> Result<Curve, Failure> {
     let sets = replicates_of(method, p.replicates);
     let points = |replicate: usize| placing.points(method, p.n, replicate.min(sets - 1));
-    let error =
-        |replicate: usize| Ok((estimate(p, &points(replicate)?, placing, replicate) - energies.integral).powi(2));
+    let error = |replicate: usize| {
+        let error = estimate(p, &points(replicate)?, placing, replicate) - energies.integral;
+        Ok(error * error)
+    };
     let squares: Vec<Result<f64, Failure>> = (0..p.replicates).into_par_iter().map(error).collect();
     let (measured, error) = mean_with_error(&squares.into_iter().collect::<Result<Vec<_>, _>>()?);
     let overlap = |replicate: usize| {

@@ -226,7 +226,7 @@ const STEPS: u64 = 64;
 /// no more fit at this radius, so that its count falls as the radius grows.
 ///
 /// The radius is corrected from run to run. Where no run hits n, the one that came nearest from
-/// below is [completed](complete). Nothing is ever taken away: whatever holds of a run, as that it
+/// below is completed. Nothing is ever taken away: whatever holds of a run, as that it
 /// is maximal, holds of what is returned, at its own radius.
 pub fn exactly<const D: usize>(
     n: usize,
@@ -301,7 +301,7 @@ mod tests {
         assert!((smallest(&cubic) - densest(4, 3).unwrap()).abs() < 1e-15);
         // D4: all points of halves with an even sum of twice the coordinates.
         let halves = |k: u32| [0, 1, 2, 3].map(|axis| f64::from(k >> axis & 1) * 0.5);
-        let even: Vec<Place<4>> = (0..16).filter(|k: &u32| k.count_ones() % 2 == 0).map(halves).collect();
+        let even: Vec<Place<4>> = (0..16).filter(|k: &u32| k.count_ones().is_multiple_of(2)).map(halves).collect();
         let nearest = even[1..].iter().map(|&b| squared_distance(even[0], b)).fold(f64::INFINITY, f64::min).sqrt();
         assert!((nearest - densest(8, 4).unwrap()).abs() < 1e-15);
         assert_eq!((densest(5, 1), densest(5, 5), densest(0, 2)), (Some(0.2), None, None));

@@ -74,7 +74,7 @@ fn partner(i: u64, key: u64) -> u64 {
     ((u128::from(word) * u128::from(i + 1)) >> 64) as u64
 }
 
-/// The images of all digits of a base, as [`image`] gives them one by one.
+/// The images of all digits of a base, as [`image()`] gives them one by one.
 pub fn images(base: u64, key: u64) -> Vec<u64> {
     if base == 2 || base > SHUFFLED {
         return (0..base).map(|digit| image(digit, base, key)).collect();
