@@ -1,7 +1,9 @@
 //! The data and the drawing of an exhibit as files: CSV and JSON, SVG and PNG.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
 
 use super::machine::number;
@@ -128,16 +130,30 @@ pub(crate) fn provenance(exhibit: &Exhibit, outcome: &Outcome) -> Map<String, Js
 
 /// The whole data of an exhibit as JSON: its provenance, and its frames as columns under `tables`.
 pub(crate) fn json(exhibit: &Exhibit, outcome: &Outcome, frames: &[Frame]) -> String {
-    let mut whole = provenance(exhibit, outcome);
-    let column = |entries: &Entries| match entries {
-        Entries::Numbers(numbers) => json!(numbers),
-        Entries::Integers(integers) => json!(integers),
-        Entries::Text(words) => json!(words),
-    };
-    let columns = |frame: &Frame| frame.columns.iter().map(|(name, entries)| (name.clone(), column(entries))).collect();
-    let tables = frames.iter().map(|frame| (frame.name.to_owned(), Json::Object(columns(frame)))).collect();
-    whole.insert("tables".to_owned(), Json::Object(tables));
-    format!("{}\n", Json::Object(whole))
+    #[derive(Serialize)]
+    struct Whole<'a> {
+        #[serde(flatten)]
+        provenance: Map<String, Json>,
+        tables: BTreeMap<&'a str, BTreeMap<&'a str, Column<'a>>>,
+    }
+    let column = |(name, entries)| (String::as_str(name), Column(entries));
+    let columns = frames.iter().map(|frame| frame.columns.iter().map(|(name, entries)| column((name, entries))));
+    let tables = frames.iter().map(|frame| frame.name).zip(columns.map(Iterator::collect)).collect();
+    let whole = Whole { provenance: provenance(exhibit, outcome), tables };
+    serde_json::to_string(&whole).unwrap_or_default() + "\n"
+}
+
+/// A column as JSON writes it: what is not finite is null.
+struct Column<'a>(&'a Entries);
+
+impl Serialize for Column<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Entries::Numbers(numbers) => numbers.serialize(serializer),
+            Entries::Integers(integers) => integers.serialize(serializer),
+            Entries::Text(words) => words.serialize(serializer),
+        }
+    }
 }
 
 #[cfg(test)]

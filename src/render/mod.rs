@@ -14,6 +14,8 @@ mod templates;
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
+
 use crate::diag::{Code, Diagnostic};
 use crate::exhibits::Shown;
 use crate::parse::Course;
@@ -59,9 +61,8 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     let Some(templates) = Templates::load(workspace, &mut diagnostics) else { return (Book::default(), diagnostics) };
     let converter = Converter::new(&course.configuration.macros, &mut diagnostics);
     let citations = Citations::format(course, plan, workspace, &mut diagnostics);
-    let files =
-        plan.exhibits.iter().zip(shown).map(|(exhibit, shown)| data::files(exhibit, &shown.outcome, &shown.drawing));
-    let files = files.collect();
+    let files = plan.exhibits.par_iter().zip(shown);
+    let files = files.map(|(exhibit, shown)| data::files(exhibit, &shown.outcome, &shown.drawing)).collect();
     let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates, files };
     let mut book = Book::default();
     for (path, bytes) in pages::all(&rendering, &mut diagnostics) {

@@ -89,8 +89,9 @@ impl<'a> Sources<'a> {
         let (entries, units, engine) = (listed.clone(), BTreeMap::new(), dependencies);
         let mut sources = Self { files, entries, listed, named, units, engine, dependencies };
         // A module can use entries through another such module.
+        let declared = sources.declared();
         loop {
-            let linking = sources.linking();
+            let linking = sources.linking(&declared);
             if linking.is_empty() {
                 break;
             }
@@ -133,21 +134,23 @@ impl<'a> Sources<'a> {
         digests
     }
 
-    /// The modules that a catalogue's folder declares, that are not known yet as entries, and that use some that are.
+    /// The modules that the folders of catalogues declare: each `mod.rs` is read once.
+    fn declared(&self) -> BTreeSet<Entry<'a>> {
+        let folders: BTreeSet<&'a str> = self.listed.iter().map(|listed| listed.0).collect();
+        let modules = self.files.keys().filter_map(|file| module(file)).filter(|module| folders.contains(module.0));
+        let lists = folders.iter().map(|folder| (*folder, lex::tokens(self.computing(&format!("{folder}/mod.rs")))));
+        let lists: BTreeMap<&str, Vec<Token<'_>>> = lists.collect();
+        let declared =
+            |(folder, name): &Entry<'a>| lists[folder].windows(3).any(|words| declares(words, name)) && *name != "mod";
+        modules.collect::<BTreeSet<_>>().into_iter().filter(declared).collect()
+    }
+
+    /// Those of the `declared` modules that are not known yet as entries, and that use some that are.
     ///
     /// As part of the engine they would make those entries count for every experiment; so they count where they are used, as entries do.
-    fn linking(&self) -> BTreeSet<Entry<'a>> {
-        let modules = self.files.keys().filter_map(|&file| {
-            let (folder, rest) = file.split_once('/')?;
-            // `name.rs`, or any file of the folder `name/`.
-            let entry =
-                (folder, rest.split_once('/').map_or_else(|| rest.strip_suffix(".rs"), |(name, _)| Some(name))?);
-            let list = self.files.get_key_value(format!("{folder}/mod.rs").as_str())?.1;
-            let declared = || lex::tokens(list).windows(3).any(|words| declares(words, entry.1));
-            let links = !self.uses(file).is_empty() && self.listed.iter().any(|listed| listed.0 == folder);
-            (entry.1 != "mod" && !self.entries.contains(&entry) && links && declared()).then_some(entry)
-        });
-        modules.collect()
+    fn linking(&self, declared: &BTreeSet<Entry<'a>>) -> BTreeSet<Entry<'a>> {
+        let links = |entry: &&Entry<'a>| self.files_of(**entry).any(|file| !self.uses(file).is_empty());
+        declared.difference(&self.entries).filter(links).copied().collect()
     }
 
     /// `due` and all entries that these use, directly or not.
@@ -186,9 +189,8 @@ impl<'a> Sources<'a> {
 
     /// The entry that `file` belongs to.
     fn entry_of(&self, file: &str) -> Option<Entry<'a>> {
-        let (folder, rest) = file.split_once('/')?;
-        let name = rest.split_once('/').map_or_else(|| rest.strip_suffix(".rs"), |(name, _)| Some(name))?;
-        self.entries.iter().copied().find(|entry| *entry == (folder, name))
+        let module = module(file)?;
+        self.entries.iter().copied().find(|entry| *entry == module)
     }
 
     /// The part of the file that computes.
@@ -221,6 +223,13 @@ impl<'a> Sources<'a> {
         let all: BTreeSet<&'a str> = entries.chain(files.iter().copied()).collect();
         self.digest(all.into_iter())
     }
+}
+
+/// The module of a catalogue's folder that a file belongs to: `name.rs`, or any file of the folder `name/`.
+fn module(file: &str) -> Option<Entry<'_>> {
+    let (folder, rest) = file.split_once('/')?;
+    let name = rest.split_once('/').map_or_else(|| rest.strip_suffix(".rs"), |(name, _)| Some(name))?;
+    Some((folder, name))
 }
 
 /// Whether `words` are `mod name;`.
