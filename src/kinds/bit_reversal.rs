@@ -136,11 +136,11 @@ mod drawing {
     pub(super) fn draw(p: &BitReversal, data: &Data) -> Drawing {
         let mut table = Table::new(vec![
             Column::right("$n$"),
-            Column::right("bits"),
-            Column::left("reversed"),
-            Column::right("bit reversal"),
-            Column::right("digit loop"),
-            Column::centre("equal"),
+            Column::right("Bits"),
+            Column::left("Reversed"),
+            Column::right("Bit reversal"),
+            Column::right("Digit loop"),
+            Column::centre("Equal"),
         ]);
         let last = data.shown.len().saturating_sub(1);
         for (row, shown) in data.shown.iter().enumerate().filter(|(row, _)| *row + 1 < p.rows || *row == last) {

@@ -122,8 +122,8 @@ mod drawing {
     pub(super) fn draw(p: &Digits, data: &Data) -> Drawing {
         let mut columns = vec![Column::right("$n$")];
         for base in &p.bases {
-            columns.push(Column::right(format!("base {base}")));
-            columns.push(Column::left("reflected"));
+            columns.push(Column::right(format!("Base {base}")));
+            columns.push(Column::left("Reflected"));
             columns.push(Column::left(format!("$\\Phi_{{{base}}}(n)$")));
             columns.extend((p.decimals > 0).then(|| Column::right("")));
         }

@@ -216,10 +216,10 @@ mod drawing {
 
     pub(super) fn draw(p: &Enumeration, data: &Data) -> Drawing {
         let mut table = Table::new(vec![
-            Column::right("column"),
-            Column::right("row"),
-            Column::left("samples, found directly"),
-            Column::centre("as by search"),
+            Column::right("Column"),
+            Column::right("Row"),
+            Column::left("Samples, found directly"),
+            Column::centre("As by search"),
         ]);
         table.row_heads = 2;
         let rows = p.rows.min(data.shown.len());

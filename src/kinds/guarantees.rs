@@ -260,18 +260,18 @@ mod drawing {
     fn head(p: &Guarantees, property: Property) -> String {
         match property {
             Property::Latin => "Latin".to_owned(),
-            Property::Cells => "one per cell".to_owned(),
+            Property::Cells => "One per cell".to_owned(),
             Property::Both => "Latin and cells".to_owned(),
-            Property::Pairs => "pairs of axes".to_owned(),
+            Property::Pairs => "Pairs of axes".to_owned(),
             Property::Net => format!("$(0, m, {})$-net", p.dimensions),
-            Property::Prefix => "prefix".to_owned(),
+            Property::Prefix => "Prefix".to_owned(),
             Property::Separated => format!("$\\rho \\ge {}$", p.radius),
-            Property::Fixed => "same for every seed".to_owned(),
+            Property::Fixed => "Same for every seed".to_owned(),
         }
     }
 
     pub(super) fn draw(p: &Guarantees, data: &Data) -> Drawing {
-        let mut columns = vec![Column::left("sampler")];
+        let mut columns = vec![Column::left("Sampler")];
         columns.extend(p.properties.iter().map(|&property| Column::left(head(p, property))));
         let mut table = Table::new(columns);
         for row in &data.rows {

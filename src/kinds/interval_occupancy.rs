@@ -233,9 +233,9 @@ mod drawing {
     }
 
     fn table(p: &Occupancy, data: &Data) -> Table {
-        let mut columns = vec![Column::left("sampler")];
+        let mut columns = vec![Column::left("Sampler")];
         columns.extend(shapes(p).iter().map(|[columns, rows]| Column::right(format!("{columns}×{rows}"))));
-        columns.extend([Column::right("all"), Column::centre("none violated")]);
+        columns.extend([Column::right("All"), Column::centre("None violated")]);
         let mut table = Table::new(columns);
         for set in &data.sets {
             let counts = set.violated.iter().map(|&count| Cell::Integer(count as i64));

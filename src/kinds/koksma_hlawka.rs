@@ -201,12 +201,12 @@ mod drawing {
 
     fn table(data: &Data) -> Table {
         let mut table = Table::new(vec![
-            Column::left("sampler"),
+            Column::left("Sampler"),
             Column::right("$N$"),
             Column::right("$|F_N - F|$"),
             Column::right("$D^*$"),
             Column::right("$V D^*$"),
-            Column::centre("holds"),
+            Column::centre("Holds"),
         ]);
         table.row_heads = 2;
         for row in &data.rows {

@@ -192,10 +192,10 @@ mod drawing {
     use crate::chart::{Cell, Column, Drawing, Table};
 
     pub(super) fn draw(p: &MeasureTable, data: &Data) -> Drawing {
-        let mut columns = vec![Column::left("sampler")];
+        let mut columns = vec![Column::left("Sampler")];
         columns.extend(p.measures.iter().map(|measure| Column::right(format!("${}$", measure.symbol()))));
         if p.strata {
-            columns.extend([Column::centre("Latin"), Column::centre("cells"), Column::right("violated")]);
+            columns.extend([Column::centre("Latin"), Column::centre("Cells"), Column::right("Violated")]);
         }
         let mut table = Table::new(columns);
         for row in &data.rows {

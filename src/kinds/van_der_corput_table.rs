@@ -108,7 +108,7 @@ mod drawing {
         let mut table = Table::new(vec![
             Column::right("$n$"),
             Column::right(format!("$n$ in base {base}")),
-            Column::left("reflected"),
+            Column::left("Reflected"),
             Column::left(format!("$\\Phi_{{{base}}}(n)$")),
         ]);
         for row in &data.rows {

@@ -15,7 +15,7 @@ pub(super) fn html(id: &str, pictures: &Pictures, converter: &Converter) -> Stri
         // Writing to a string cannot fail.
         let _ = write!(
             out,
-            "<figure class=\"picture\" style=\"--pixels: {}px\"><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" loading=\"lazy\" decoding=\"async\"><figcaption><span class=\"title\">{title}</span>",
+            "<figure class=\"picture\" style=\"--pixels: {}px\"><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" decoding=\"async\"><figcaption><span class=\"title\">{title}</span>",
             png.width,
             escape(&path),
             escape(&picture.alt),
