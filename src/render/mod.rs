@@ -14,8 +14,6 @@ mod templates;
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use crate::diag::{Code, Diagnostic};
 use crate::exhibits::Shown;
 use crate::parse::Course;
@@ -61,7 +59,7 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     let Some(templates) = Templates::load(workspace, &mut diagnostics) else { return (Book::default(), diagnostics) };
     let converter = Converter::new(&course.configuration.macros, &mut diagnostics);
     let citations = Citations::format(course, plan, workspace, &mut diagnostics);
-    let files = plan.exhibits.par_iter().zip(shown);
+    let files = plan.exhibits.iter().zip(shown);
     let files = files.map(|(exhibit, shown)| data::files(exhibit, &shown.outcome, &shown.drawing)).collect();
     let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates, files };
     let mut book = Book::default();
