@@ -96,8 +96,19 @@ impl Sampler for Jittered {
         let mut coordinates = refused::allocate(n, d)?;
         let cuts = self.strata(n, d);
         let mut random = seed.generator();
-        for (i, point) in coordinates.chunks_exact_mut(d).enumerate() {
-            jitter(i, &cuts, point, &mut random);
+        // The cell on each axis, counted on from point to point: divisions would cost more than all else.
+        let mut cell = vec![0; d];
+        for point in coordinates.chunks_exact_mut(d) {
+            for ((x, &own), &cut) in point.iter_mut().zip(&cell).zip(&cuts) {
+                *x = within(own as u64, cut as u64, random.uniform());
+            }
+            for (own, &cut) in cell.iter_mut().zip(&cuts) {
+                *own += 1;
+                if *own < cut {
+                    break;
+                }
+                *own = 0;
+            }
         }
         refused::points(d, coordinates)
     }
