@@ -43,6 +43,7 @@ mod paths;
 mod pictures;
 #[cfg(feature = "publish")]
 mod point_kinds;
+#[cfg(feature = "publish")]
 mod point_questions;
 #[cfg(feature = "publish")]
 mod points;
