@@ -40,6 +40,15 @@ impl From<Pictures> for Drawing {
 }
 
 impl Drawing {
+    /// Its drawing of lines, if it has one: of a stepper the last step, of pictures the chart below.
+    pub fn figure(&self) -> Option<&Figure> {
+        match self {
+            Self::Figure(figure) | Self::Stepper(Stepper { figure, .. }) => Some(figure),
+            Self::Pictures(pictures) => pictures.chart.as_ref(),
+            Self::Table(_) => None,
+        }
+    }
+
     /// Everything of it that a reader can see, as text: what the lock's digest of a drawing covers.
     pub fn text(&self) -> String {
         match self {

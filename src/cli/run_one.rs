@@ -6,7 +6,6 @@ use clap::Args;
 
 use super::progress::Progress;
 use super::{Exit, Format, Options, among, report};
-use crate::chart::{Drawing, Sheet, Stepper};
 use crate::compose::{check, job};
 use crate::diag::Diagnostic;
 use crate::kinds::{Entries, Failure, Frame, Outcome, Value};
@@ -63,14 +62,8 @@ fn print(exhibit: &Exhibit, outcome: &Outcome, format: Format) -> Result<String,
 
 /// The drawing, if it is one of lines.
 fn drawing(exhibit: &Exhibit, outcome: &Outcome) -> Result<String, Failure> {
-    let (experiment, id) = (&exhibit.experiment, &exhibit.id);
-    let alt = exhibit.alt.clone().or_else(|| experiment.alt(outcome)).unwrap_or_default();
-    let figure = match experiment.draw(outcome, &Sheet::new(id, experiment.kind().about().title, &alt))? {
-        Drawing::Figure(figure) | Drawing::Stepper(Stepper { figure, .. }) => Some(figure),
-        Drawing::Pictures(pictures) => pictures.chart,
-        Drawing::Table(_) => None,
-    };
-    figure.map(|figure| figure.svg).ok_or_else(|| Failure {
+    let drawing = exhibits::draw(exhibit, outcome, &exhibits::words(exhibit, outcome))?;
+    drawing.figure().map(|figure| figure.svg.clone()).ok_or_else(|| Failure {
         parameter: None,
         message: "it has no drawing of lines".to_owned(),
         help: Some(format!(

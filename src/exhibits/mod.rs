@@ -39,8 +39,7 @@ pub fn show(plan: &Plan, outcomes: Vec<Option<Keyed>>) -> (Vec<Option<Shown>>, V
         let (key, outcome) = outcome?;
         let verdicts = verdict::judge(exhibit, &outcome.values, &mut diagnostics);
         let alt = alternative(exhibit, &outcome, &mut diagnostics);
-        let sheet = Sheet::new(&exhibit.id, exhibit.experiment.kind().about().title, &alt);
-        match exhibit.experiment.draw(&outcome, &sheet) {
+        match draw(exhibit, &outcome, &alt) {
             Ok(drawing) => Some(Shown { key, outcome, drawing, alt, verdicts }),
             Err(failure) => {
                 diagnostics.push(failed(exhibit, &failure));
@@ -51,6 +50,16 @@ pub fn show(plan: &Plan, outcomes: Vec<Option<Keyed>>) -> (Vec<Option<Shown>>, V
     (shown.collect(), diagnostics)
 }
 
+/// The drawing of a result, with `alt` as its words.
+pub fn draw(exhibit: &Exhibit, outcome: &Outcome, alt: &str) -> Result<Drawing, Failure> {
+    exhibit.experiment.draw(outcome, &Sheet::new(&exhibit.id, exhibit.experiment.kind().about().title, alt))
+}
+
+/// The author's words for the exhibit, or those derived from the data.
+pub fn words(exhibit: &Exhibit, outcome: &Outcome) -> String {
+    exhibit.alt.clone().or_else(|| exhibit.experiment.alt(outcome)).unwrap_or_default()
+}
+
 /// What to tell of an experiment that failed, or of a result that cannot be drawn.
 pub fn failed(exhibit: &Exhibit, failure: &Failure) -> Diagnostic {
     let parameter = failure.parameter.map(|parameter| format!(", at `{parameter}`")).unwrap_or_default();
@@ -59,9 +68,9 @@ pub fn failed(exhibit: &Exhibit, failure: &Failure) -> Diagnostic {
         .help_if(failure.help.clone())
 }
 
-/// The author's words for the exhibit, or those derived from the data; none is an error.
+/// The words for the exhibit; none is an error.
 fn alternative(exhibit: &Exhibit, outcome: &Outcome, diagnostics: &mut Vec<Diagnostic>) -> String {
-    let alt = exhibit.alt.clone().or_else(|| exhibit.experiment.alt(outcome)).unwrap_or_default();
+    let alt = words(exhibit, outcome);
     if alt.trim().is_empty() {
         let error = Diagnostic::error(Code::MissingAlt, format!("`{}` has no alternative text", exhibit.id));
         diagnostics.push(error.at_place(&exhibit.place).help("say what it shows: `alt = \"…\"`"));

@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
 
 use super::machine::number;
-use crate::chart::{Drawing, Stepper};
+use crate::chart::{Drawing, Figure};
 use crate::kinds::{Entries, Frame, Outcome};
 use crate::plan::Exhibit;
 
@@ -42,16 +42,12 @@ pub(crate) fn files(exhibit: &Exhibit, outcome: &Outcome, drawing: &Drawing) -> 
         }
     };
     files.push(file(".json", "JSON".to_owned(), json(exhibit, outcome, &frames).into_bytes()));
-    let svg = |figure: &crate::chart::Figure| file(".svg", "SVG".to_owned(), figure.svg.clone().into_bytes());
-    match drawing {
-        Drawing::Table(_) => {}
-        Drawing::Figure(figure) | Drawing::Stepper(Stepper { figure, .. }) => files.push(svg(figure)),
-        Drawing::Pictures(pictures) => {
-            files.extend(pictures.chart.as_ref().map(svg));
-            for (index, picture) in pictures.items.iter().enumerate() {
-                let label = format!("PNG of {}", picture.name);
-                files.push(file(&png_name(index, &picture.name), label, picture.png.bytes.clone()));
-            }
+    let svg = |figure: &Figure| file(".svg", "SVG".to_owned(), figure.svg.clone().into_bytes());
+    files.extend(drawing.figure().map(svg));
+    if let Drawing::Pictures(pictures) = drawing {
+        for (index, picture) in pictures.items.iter().enumerate() {
+            let label = format!("PNG of {}", picture.name);
+            files.push(file(&png_name(index, &picture.name), label, picture.png.bytes.clone()));
         }
     }
     files

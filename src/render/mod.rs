@@ -67,10 +67,8 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
         book.files.insert(path, bytes.into_bytes());
     }
     book.files.extend(rendering.templates.assets());
-    for file in rendering.files.iter().flatten() {
-        book.files.insert(file.path.clone(), file.bytes.clone());
-    }
     book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
+    book.files.extend(rendering.files.into_iter().flatten().map(|file| (file.path, file.bytes)));
     for (path, bytes) in &workspace.blobs {
         let Some(name) = path.strip_prefix(CHAPTERS).and_then(|path| path.strip_prefix('/')) else { continue };
         if book.files.contains_key(name) {
