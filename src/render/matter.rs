@@ -8,7 +8,7 @@ use super::markdown::Writer;
 use super::table;
 use crate::chart::Drawing;
 use crate::diag::Diagnostic;
-use crate::kinds::KINDS;
+use crate::kinds;
 use crate::parameters::ParameterDoc;
 use crate::plan::{escape, minus};
 
@@ -16,16 +16,29 @@ use crate::plan::{escape, minus};
 pub(super) struct Matter {
     /// Its name in the lists of pages.
     pub title: &'static str,
-    /// Its path in the book.
+    /// Its path in the book, and the name of its template.
     pub href: &'static str,
+    /// What it holds, in a sentence.
+    pub summary: &'static str,
 }
 
+/// The index of exhibits.
+pub(super) const EXHIBITS: Matter =
+    Matter { title: "Exhibits", href: "exhibits.html", summary: "Every figure and table of the book, with its place." };
+
+/// The kinds of experiments.
+pub(super) const KINDS: Matter = Matter {
+    title: "Kinds of experiments",
+    href: "kinds.html",
+    summary: "What a chapter can ask to be computed, and how it asks.",
+};
+
+/// The works that are cited.
+pub(super) const BIBLIOGRAPHY: Matter =
+    Matter { title: "Bibliography", href: "bibliography.html", summary: "The works that the chapters cite." };
+
 /// The pages that are no chapters, in their order.
-pub(super) const MATTER: [Matter; 3] = [
-    Matter { title: "Exhibits", href: "exhibits.html" },
-    Matter { title: "Kinds of experiments", href: "kinds.html" },
-    Matter { title: "Bibliography", href: "bibliography.html" },
-];
+pub(super) const MATTER: [Matter; 3] = [EXHIBITS, KINDS, BIBLIOGRAPHY];
 
 /// A chapter's part of the index of exhibits.
 #[derive(Serialize)]
@@ -150,7 +163,7 @@ pub(super) fn kinds(rendering: &Rendering<'_>) -> Vec<KindContext> {
             href: format!("{}#{}", rendering.href(exhibit.chapter), exhibit.id),
         })
     };
-    let context = |kind: &&'static dyn crate::kinds::AnyKind| {
+    let context = |kind: &&'static dyn kinds::AnyKind| {
         let about = kind.about();
         KindContext {
             key: about.key,
@@ -160,7 +173,7 @@ pub(super) fn kinds(rendering: &Rendering<'_>) -> Vec<KindContext> {
             exhibits: of(about.key).collect(),
         }
     };
-    KINDS.iter().map(context).collect()
+    kinds::KINDS.iter().map(context).collect()
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! The pages of the book and what their templates are given.
 
 use serde::Serialize;
+use serde_json::json;
 
 use super::Rendering;
 use super::markdown::Writer;
-use super::matter::{self, Group, KindContext, MATTER};
+use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MATTER, Matter};
 use super::templates::ASSETS;
 use crate::diag::Diagnostic;
 
@@ -86,40 +87,25 @@ struct IndexPage<'a> {
     contents: Vec<SectionContext>,
 }
 
+/// A page that the book makes of itself, with what is its own.
 #[derive(Serialize)]
-struct BibliographyPage<'a> {
+struct MatterPage<'a, T> {
     book: BookContext<'a>,
     page: PageContext<'a>,
     assets: &'static str,
-    entries: &'a str,
     contents: Vec<SectionContext>,
-}
-
-#[derive(Serialize)]
-struct ExhibitsPage<'a> {
-    book: BookContext<'a>,
-    page: PageContext<'a>,
-    assets: &'static str,
-    groups: Vec<Group<'a>>,
-    contents: Vec<SectionContext>,
-}
-
-#[derive(Serialize)]
-struct KindsPage<'a> {
-    book: BookContext<'a>,
-    page: PageContext<'a>,
-    assets: &'static str,
-    kinds: Vec<KindContext>,
-    contents: Vec<SectionContext>,
+    #[serde(flatten)]
+    own: T,
 }
 
 /// Every page, by its path in the book.
 pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<(String, String)> {
+    let groups = matter::groups(rendering, diagnostics);
     let mut pages = vec![
         ("index.html".to_owned(), index(rendering, diagnostics)),
-        ("exhibits.html".to_owned(), exhibits(rendering, diagnostics)),
-        ("kinds.html".to_owned(), kinds(rendering, diagnostics)),
-        ("bibliography.html".to_owned(), bibliography(rendering, diagnostics)),
+        matter_page(rendering, &EXHIBITS, json!({ "groups": groups }), diagnostics),
+        matter_page(rendering, &KINDS, json!({ "kinds": matter::kinds(rendering) }), diagnostics),
+        matter_page(rendering, &BIBLIOGRAPHY, json!({ "entries": rendering.citations.list() }), diagnostics),
     ];
     for chapter in 0..rendering.course.chapters.len() {
         pages.push((rendering.href(chapter), chapter_page(rendering, chapter, diagnostics)));
@@ -207,50 +193,19 @@ fn index(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String
     rendering.templates.fill("index.html", &context, diagnostics)
 }
 
-fn bibliography(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String {
-    let context = BibliographyPage {
+/// A page of the book's own, from the template of its name.
+fn matter_page(
+    rendering: &Rendering<'_>,
+    matter: &Matter,
+    own: impl Serialize,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> (String, String) {
+    let context = MatterPage {
         book: book(rendering, None),
-        page: PageContext {
-            title: "Bibliography",
-            number: None,
-            summary: "The works that the chapters cite.",
-            href: "bibliography.html".to_owned(),
-        },
+        page: PageContext { title: matter.title, number: None, summary: matter.summary, href: matter.href.to_owned() },
         assets: ASSETS,
-        entries: rendering.citations.list(),
         contents: Vec::new(),
+        own,
     };
-    rendering.templates.fill("bibliography.html", &context, diagnostics)
-}
-
-fn exhibits(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String {
-    let context = ExhibitsPage {
-        book: book(rendering, None),
-        page: PageContext {
-            title: "Exhibits",
-            number: None,
-            summary: "Every figure and table of the book, with its place.",
-            href: "exhibits.html".to_owned(),
-        },
-        assets: ASSETS,
-        groups: matter::groups(rendering, diagnostics),
-        contents: Vec::new(),
-    };
-    rendering.templates.fill("exhibits.html", &context, diagnostics)
-}
-
-fn kinds(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String {
-    let context = KindsPage {
-        book: book(rendering, None),
-        page: PageContext {
-            title: "Kinds of experiments",
-            number: None,
-            summary: "What a chapter can ask to be computed, and how it asks.",
-            href: "kinds.html".to_owned(),
-        },
-        assets: ASSETS,
-        kinds: matter::kinds(rendering),
-        contents: Vec::new(),
-    };
-    rendering.templates.fill("kinds.html", &context, diagnostics)
+    (matter.href.to_owned(), rendering.templates.fill(matter.href, &context, diagnostics))
 }
