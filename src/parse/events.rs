@@ -8,7 +8,7 @@ use pulldown_cmark::{CodeBlockKind, CowStr, Event, LinkType, MetadataBlockKind, 
 use super::Content;
 use super::fence::Fence;
 use super::inline::Run;
-use super::node::{CalloutKind, Formula, Label, Node, ValueUse, What};
+use super::node::{CalloutKind, Formula, Label, Node, What};
 use super::source_map::SourceMap;
 use crate::diag::{Code, Diagnostic};
 use crate::workspace::{CHAPTERS, Source, Workspace};
@@ -138,7 +138,7 @@ impl<'a, 'w> Reader<'a, 'w> {
             Event::Start(tag) => self.start(tag, range),
             Event::End(tag) => self.end(tag, range),
             Event::Text(text) => self.text(text, range),
-            Event::Code(code) => self.code(&code, range),
+            Event::Code(code) => self.code(code, range),
             Event::InlineMath(tex) => {
                 let formula = self.formula(&tex, range.start + 1);
                 self.push(What::Formula(formula), range);
@@ -260,26 +260,6 @@ impl<'a, 'w> Reader<'a, 'w> {
             self.paragraph = false;
         } else {
             self.push(What::Markdown(Event::End(TagEnd::Paragraph)), range.clone());
-        }
-    }
-
-    /// Code within a line; `` `=id.name:format` `` is a value.
-    fn code(&mut self, code: &CowStr<'a>, range: Range<usize>) {
-        let Some(value) = code.strip_prefix('=') else {
-            return self.push(What::Markdown(Event::Code(code.clone()).into_static()), range);
-        };
-        let (path, format) = value.split_once(':').unwrap_or((value, ""));
-        match path.split_once('.') {
-            Some((exhibit, name)) if !exhibit.is_empty() && !name.is_empty() => {
-                let value =
-                    ValueUse { exhibit: exhibit.to_owned(), name: name.to_owned(), format: format.trim().to_owned() };
-                self.push(What::Value(value), range);
-            }
-            _ => {
-                let error = self.error(Code::UnknownValue, format!("`={value}` names no value"), range);
-                self.diagnostics
-                    .push(error.help("write it as `=fig-id.value.name:.3`: an exhibit, a dot, the value's name"));
-            }
         }
     }
 

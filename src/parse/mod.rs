@@ -12,6 +12,7 @@ mod inline;
 mod node;
 mod source_map;
 mod toml_text;
+mod value;
 
 use std::sync::Arc;
 
@@ -22,7 +23,7 @@ pub use configuration::Configuration;
 pub use events::{inline as caption, parser_options};
 pub use fence::Fence;
 pub use front_matter::FrontMatter;
-pub use node::{Callout, CalloutKind, Cited, Formula, Label, Node, ValueUse, What};
+pub use node::{Callout, CalloutKind, Cited, Computed, Formula, Label, Node, ValueUse, What};
 pub use source_map::SourceMap;
 pub use toml_text::table;
 
