@@ -180,6 +180,10 @@ codes! {
     UnknownItem = "W0119";
     /// Markup that the course does not allow.
     Markup = "W0120";
+    /// A number in the prose that could be computed.
+    TypedNumber = "W0121";
+    /// An entry of `[given]` that nothing uses.
+    UnusedGiven = "W0122";
     // What was computed.
     /// An experiment that failed.
     Failed = "W0201";

@@ -9,8 +9,8 @@ use toml::de::DeValue;
 use super::source_map::SourceMap;
 use super::toml_text;
 use crate::catalogue::nearest;
-use crate::diag::{Code, Diagnostic};
-use crate::parameters::{Complaint, Fields, Parameters, parameters};
+use crate::diag::{Code, Diagnostic, Severity};
+use crate::parameters::{Complaint, Fields, Parameters, choices, parameters};
 use crate::workspace::{CHAPTERS, CONFIGURATION, Source, Workspace, chapter_stem};
 
 parameters! {
@@ -32,6 +32,20 @@ parameters! {
         bibliography: Option<String>,
         /// Whether chapters may hold raw HTML.
         allow_html: bool = false,
+        /// What becomes of a number in the text that could be computed.
+        typed_numbers: TypedNumbers = "warning",
+    }
+}
+
+choices! {
+    /// What becomes of a number in the text that could be computed.
+    pub enum TypedNumbers {
+        /// It is told, and the book is built.
+        Warning = "warning",
+        /// It is told, and there is no book.
+        Error = "error",
+        /// Nothing is said.
+        Allowed = "allowed",
     }
 }
 
@@ -40,6 +54,17 @@ parameters! {
     pub struct Defaults {
         /// The seed of every experiment that does not give its own.
         seed: usize [in 0..=9_007_199_254_740_991] = 1,
+    }
+}
+
+impl TypedNumbers {
+    /// How bad it is; nothing if it is allowed.
+    fn severity(self) -> Option<Severity> {
+        match self {
+            Self::Warning => Some(Severity::Warning),
+            Self::Error => Some(Severity::Error),
+            Self::Allowed => None,
+        }
     }
 }
 
@@ -62,6 +87,8 @@ pub struct Configuration {
     pub bibliography: Option<String>,
     /// Whether chapters may hold raw HTML.
     pub allow_html: bool,
+    /// How bad a number in the text is that could be computed; nothing if that is allowed.
+    pub typed_numbers: Option<Severity>,
     /// The seed of every experiment that does not give its own.
     pub seed: u64,
     /// LaTeX macros: name to replacement.
@@ -86,6 +113,7 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
             order: head.order.map(|stems| stems.into_iter().zip(order_places(&fields)).collect()),
             bibliography: head.bibliography.map(|file| format!("{CHAPTERS}/{file}")),
             allow_html: head.allow_html,
+            typed_numbers: head.typed_numbers.severity(),
             ..configuration
         };
     }

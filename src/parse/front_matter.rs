@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::given::{self, Given};
 use super::source_map::SourceMap;
 use super::toml_text;
 use crate::diag::{Code, Diagnostic};
@@ -25,6 +26,8 @@ pub struct FrontMatter {
     pub title: String,
     /// What the chapter is about, in a sentence.
     pub summary: String,
+    /// The numbers in its text that are given.
+    pub given: Vec<Given>,
 }
 
 /// Reads the front matter at `range` of a chapter; what is missing or wrong is told.
@@ -38,12 +41,17 @@ pub(super) fn read(range: Option<Range<usize>>, source: &Source, diagnostics: &m
     let table = toml_text::table(&source.text[range], &source.path, &map, diagnostics);
     let mut fields = Fields::plain(table.get_ref());
     let written = Written::read(&mut fields);
-    fields.finish(&["title", "summary"]);
+    let mut given = given::read(&mut fields);
+    for given in &mut given {
+        given.range = map.range(given.range.clone());
+    }
+    fields.finish(&["title", "summary", "given"]);
     for complaint in fields.complaints {
         let mut diagnostic =
             Diagnostic::error(complaint.code, complaint.message).at(&source.path, map.range(complaint.range));
         diagnostic.help = complaint.help;
         diagnostics.push(diagnostic);
     }
-    written.map_or_else(FrontMatter::default, |written| FrontMatter { title: written.title, summary: written.summary })
+    let (title, summary) = written.map(|written| (written.title, written.summary)).unwrap_or_default();
+    FrontMatter { title, summary, given }
 }

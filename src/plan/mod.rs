@@ -10,8 +10,10 @@ mod formula;
 mod labels;
 pub mod links;
 mod listing;
+mod literal;
 mod references;
 mod seen;
+mod typed;
 
 use std::sync::Arc;
 
@@ -89,6 +91,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
     }
     plan.labels = labels::number(course, &plan, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
+    typed::check(course, &plan, workspace, &mut diagnostics);
     (plan, diagnostics)
 }
 
