@@ -7,21 +7,23 @@ use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic};
 use crate::parse::{Callout, Course, Node, ValueUse, What};
 use crate::plan::Plan;
+use crate::workspace::CONFIGURATION;
 
 /// Complains of every value that the text takes from an exhibit which does not give it; `shown` are the exhibits that there are.
 pub fn check(course: &Course, plan: &Plan, shown: &[Option<Shown>]) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
+    let mut visit = |file: &Arc<str>, nodes: &[Node]| {
+        walk(nodes, &mut |value, node| {
+            diagnostics.extend(missing(value, plan, shown).map(|error| error.at(file, node.range.clone())));
+        });
+    };
     for (index, chapter) in course.chapters.iter().enumerate() {
-        let mut visit = |nodes: &[Node]| {
-            walk(nodes, &mut |value, node| {
-                diagnostics
-                    .extend(missing(value, plan, shown).map(|error| error.at(&chapter.file, node.range.clone())));
-            });
-        };
+        let mut visit = |nodes: &[Node]| visit(&chapter.file, nodes);
         visit(&chapter.content.nodes);
         plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index).for_each(|exhibit| visit(&exhibit.caption));
         plan.listings.iter().filter(|listing| listing.chapter == index).for_each(|listing| visit(&listing.caption));
     }
+    course.configuration.landing.iter().for_each(|passage| visit(&Arc::from(CONFIGURATION), &passage.nodes));
     diagnostics
 }
 
