@@ -78,6 +78,20 @@ pub fn inline(
     reader.content.nodes
 }
 
+/// Reads markdown that stands outside of chapters into nodes, its paragraphs and lists included.
+pub(super) fn passage(
+    text: &str,
+    file: &Arc<str>,
+    map: SourceMap,
+    workspace: &Workspace,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Node> {
+    let events = Parser::new_ext(text, parser_options()).into_offset_iter().collect();
+    let mut reader = Reader::new(text, events, file, map, workspace, diagnostics);
+    reader.run();
+    reader.content.nodes
+}
+
 /// The state of the walk.
 pub(super) struct Reader<'a, 'w> {
     /// The text that the events were read from.

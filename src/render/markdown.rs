@@ -66,6 +66,11 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// A writer of what stands outside of chapters: there, everything that is referred to is on another page.
+    pub(super) fn outside(rendering: &'a Rendering<'a>) -> Self {
+        Self::new(rendering, usize::MAX)
+    }
+
     /// The whole chapter.
     pub(super) fn chapter(mut self) -> Written {
         let nodes = &self.rendering.course.chapters[self.chapter].content.nodes;
@@ -77,7 +82,7 @@ impl<'a> Writer<'a> {
         Written { body: self.out, footnotes, diagnostics: self.diagnostics }
     }
 
-    /// Nodes within a line, such as a caption.
+    /// Nodes that stand by themselves, such as a caption or a passage.
     pub(super) fn inline(mut self, nodes: &[Node]) -> (String, Vec<Diagnostic>) {
         for (at, node) in nodes.iter().enumerate() {
             self.node(node, nodes.get(at + 1));
