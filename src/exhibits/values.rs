@@ -31,6 +31,7 @@ fn walk(nodes: &[Node], see: &mut impl FnMut(&ValueUse, &Node)) {
         match &node.what {
             What::Value(value) => see(value, node),
             What::CalloutStart(Callout { title, .. }) => walk(title, see),
+            What::Term(term) => walk(&term.words, see),
             _ => {}
         }
     }

@@ -11,6 +11,7 @@ mod front_matter;
 mod inline;
 mod node;
 mod source_map;
+mod term;
 mod toml_text;
 
 use std::sync::Arc;
@@ -22,7 +23,7 @@ pub use configuration::Configuration;
 pub use events::{inline as caption, parser_options};
 pub use fence::Fence;
 pub use front_matter::FrontMatter;
-pub use node::{Callout, CalloutKind, Cited, Formula, Label, Node, ValueUse, What};
+pub use node::{Callout, CalloutKind, Cited, Formula, Label, Node, Term, ValueUse, What};
 pub use source_map::SourceMap;
 pub use toml_text::table;
 
@@ -73,7 +74,7 @@ pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
 }
 
 /// The pages that the book makes of itself: no chapter can have their names.
-pub const OWN_PAGES: [&str; 4] = ["index", "exhibits", "kinds", "bibliography"];
+pub const OWN_PAGES: [&str; 5] = ["index", "exhibits", "terms", "kinds", "bibliography"];
 
 /// Complains of chapters whose pages would take each other's place, or that of a page of the book.
 fn check_slugs(chapters: &[Chapter], diagnostics: &mut Vec<Diagnostic>) {

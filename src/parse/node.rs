@@ -37,6 +37,8 @@ pub enum What {
     Value(ValueUse),
     /// A reference to a label anywhere in the book.
     Reference(String),
+    /// A term where it is defined, or where it is used.
+    Term(Term),
     /// Citations in one pair of brackets.
     Citation(Vec<Cited>),
     /// The start of a callout.
@@ -72,6 +74,19 @@ pub struct ValueUse {
     pub name: String,
     /// How it is written, as the author gave it after the colon; empty for the default.
     pub format: String,
+}
+
+/// A word of the subject: a link to `define:` or `term:`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Term {
+    /// Whether it is defined here.
+    pub defines: bool,
+    /// What stands behind the colon of its address; may be empty.
+    pub key: String,
+    /// The title of its link, which then is the head-word; may be empty.
+    pub title: String,
+    /// What a reader sees.
+    pub words: Vec<Node>,
 }
 
 /// One work of a citation.

@@ -11,6 +11,8 @@ pub mod links;
 mod listing;
 mod references;
 mod seen;
+mod slug;
+pub mod terms;
 
 use std::sync::Arc;
 
@@ -27,6 +29,7 @@ pub use formula::Converter;
 pub use labels::{LabelKind, Labels, Section, Target};
 pub use listing::Listing;
 pub use seen::Seen;
+pub use terms::Terms;
 
 /// All that is due for a book.
 pub struct Plan {
@@ -36,6 +39,8 @@ pub struct Plan {
     pub listings: Vec<Listing>,
     /// What every label names.
     pub labels: Labels,
+    /// The terms that the chapters define.
+    pub terms: Terms,
     /// The works that chapters cite.
     pub bibliography: Bibliography,
     /// What was seen of fences, the wrong ones included.
@@ -74,6 +79,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
         exhibits: Vec::new(),
         listings: Vec::new(),
         labels: Labels::default(),
+        terms: Terms::default(),
         bibliography,
         seen: Seen::default(),
         exhibit_of: Vec::new(),
@@ -85,6 +91,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
         plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut plan.seen, &mut diagnostics));
     }
     plan.labels = labels::number(course, &plan, &mut diagnostics);
+    plan.terms = terms::find(course, &plan, workspace, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
     (plan, diagnostics)
 }

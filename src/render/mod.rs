@@ -11,6 +11,7 @@ mod pictures;
 mod stepper;
 mod table;
 mod templates;
+mod terms;
 
 use std::collections::BTreeMap;
 

@@ -5,8 +5,9 @@ use serde_json::json;
 
 use super::Rendering;
 use super::markdown::Writer;
-use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MATTER, Matter};
+use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, Matter, TERMS};
 use super::templates::ASSETS;
+use super::terms;
 use crate::diag::Diagnostic;
 
 /// What every page knows of the book.
@@ -107,6 +108,10 @@ pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) 
         matter_page(rendering, &KINDS, json!({ "kinds": matter::kinds(rendering) }), diagnostics),
         matter_page(rendering, &BIBLIOGRAPHY, json!({ "entries": rendering.citations.list() }), diagnostics),
     ];
+    if !rendering.plan.terms.is_empty() {
+        let letters = terms::letters(rendering, diagnostics);
+        pages.push(matter_page(rendering, &TERMS, json!({ "letters": letters }), diagnostics));
+    }
     for chapter in 0..rendering.course.chapters.len() {
         pages.push((rendering.href(chapter), chapter_page(rendering, chapter, diagnostics)));
     }
@@ -129,7 +134,7 @@ fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> BookContext<'a
         authors: &configuration.authors,
         language: &configuration.language,
         chapters: chapters.collect(),
-        matter: MATTER.iter().map(|matter| MatterContext { title: matter.title, href: matter.href }).collect(),
+        matter: matter::of(rendering).map(|matter| MatterContext { title: matter.title, href: matter.href }).collect(),
         version: env!("CARGO_PKG_VERSION"),
     }
 }
