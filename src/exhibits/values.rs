@@ -57,8 +57,10 @@ fn values<'s>(plan: &Plan, id: &str, shown: impl Fn(usize) -> Option<&'s Shown>)
 fn walk(nodes: &[Node], see: &mut impl FnMut(&Node)) {
     for node in nodes {
         see(node);
-        if let What::CalloutStart(Callout { title, .. }) = &node.what {
-            walk(title, see);
+        match &node.what {
+            What::CalloutStart(Callout { title, .. }) => walk(title, see),
+            What::Term(term) => walk(&term.words, see),
+            _ => {}
         }
     }
 }

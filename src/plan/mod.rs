@@ -12,6 +12,8 @@ pub mod links;
 mod listing;
 mod references;
 mod seen;
+mod slug;
+pub mod terms;
 
 use std::sync::Arc;
 
@@ -30,6 +32,7 @@ pub use labels::{LabelKind, Labels, Section, Target};
 pub use listing::Listing;
 pub use references::address;
 pub use seen::Seen;
+pub use terms::Terms;
 
 /// All that is due for a book.
 pub struct Plan {
@@ -39,6 +42,8 @@ pub struct Plan {
     pub listings: Vec<Listing>,
     /// What every label names.
     pub labels: Labels,
+    /// The terms that the chapters define.
+    pub terms: Terms,
     /// The works that chapters cite.
     pub bibliography: Bibliography,
     /// What was seen of fences, the wrong ones included.
@@ -77,6 +82,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
         exhibits: Vec::new(),
         listings: Vec::new(),
         labels: Labels::default(),
+        terms: Terms::default(),
         bibliography,
         seen: Seen::default(),
         exhibit_of: Vec::new(),
@@ -88,6 +94,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
         plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut plan.seen, &mut diagnostics));
     }
     plan.labels = labels::number(course, &plan, &mut diagnostics);
+    plan.terms = terms::find(course, &plan, workspace, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
     (plan, diagnostics)
 }

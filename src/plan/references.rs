@@ -73,6 +73,7 @@ impl Checking<'_> {
                 What::Formula(formula) => self.formula(formula, false, &node.range),
                 What::Equation { formula, .. } => self.formula(formula, true, &node.range),
                 What::CalloutStart(Callout { title, .. }) => self.nodes(title),
+                What::Term(term) => self.nodes(&term.words),
                 What::Markdown(Event::Start(Tag::Link { dest_url, .. })) => self.link(dest_url, &node.range),
                 _ => {}
             }
@@ -191,8 +192,10 @@ impl Checking<'_> {
         };
         // Raw HTML may have ids that the plan does not know; the finished book is checked again.
         let Some(chapter) = chapter.filter(|_| !self.course.configuration.allow_html) else { return };
-        if !self.plan.labels.stands_in(chapter, id) && !self.plan.seen.is_wrong(id) {
-            let near = nearest(id, self.plan.labels.ids_in(chapter)).map(|near| format!("did you mean `#{near}`?"));
+        let terms: Vec<String> = self.plan.terms.ids_in(chapter).collect();
+        let known = || self.plan.labels.ids_in(chapter).chain(terms.iter().map(String::as_str));
+        if !known().any(|known| known == id) && !self.plan.seen.is_wrong(id) {
+            let near = nearest(id, known()).map(|near| format!("did you mean `#{near}`?"));
             let file = &self.course.chapters[chapter].file;
             self.tell(Code::BrokenLink, format!("`{file}` has no place `#{id}`"), range, near);
         }

@@ -9,8 +9,8 @@ use super::Rendering;
 use crate::diag::Diagnostic;
 use crate::exhibits;
 use crate::kinds::Measured;
-use crate::parse::{Callout, CalloutKind, Computed, Formula, Label, Node, ValueUse, What};
-use crate::plan::{Format, escape, links};
+use crate::parse::{Callout, CalloutKind, Computed, Formula, Label, Node, Term, ValueUse, What};
+use crate::plan::{Format, escape, links, terms};
 
 /// The character that forbids a line's break where it stands.
 const JOINER: char = '\u{2060}';
@@ -104,6 +104,7 @@ impl<'a> Writer<'a> {
                 let keys: Vec<String> = cited.iter().map(|cited| self.rendering.citations.link(cited)).collect();
                 self.out.push_str(&keys.join(", "));
             }
+            What::Term(term) => self.term(term, next),
             What::CalloutStart(callout) => self.callout(callout),
             What::CalloutEnd(kind) => self.out.push_str(match kind {
                 kind if kind.folded() => "</details>\n",
@@ -321,6 +322,24 @@ impl<'a> Writer<'a> {
         let page = if target.chapter == self.chapter { String::new() } else { self.rendering.href(target.chapter) };
         let (word, number) = (target.kind.word(), &target.number);
         let _ = write!(self.out, "<a class=\"reference\" href=\"{page}#{id}\">{word}\u{a0}{number}</a>");
+    }
+
+    /// A term: where it is defined it has the id that its uses lead to.
+    fn term(&mut self, term: &Term, next: Option<&Node>) {
+        let key = terms::key(term);
+        let id = terms::id(&key);
+        if term.defines {
+            let _ = write!(self.out, "<dfn id=\"{id}\">");
+        } else {
+            let definition = self.rendering.plan.terms.definition(&key);
+            let other = definition.map(|definition| definition.spot.chapter).filter(|&other| other != self.chapter);
+            let page = other.map(|other| self.rendering.href(other)).unwrap_or_default();
+            let _ = write!(self.out, "<a class=\"term\" href=\"{page}#{id}\">");
+        }
+        for (at, node) in term.words.iter().enumerate() {
+            self.node(node, term.words.get(at + 1).or(next));
+        }
+        self.out.push_str(if term.defines { "</dfn>" } else { "</a>" });
     }
 
     fn callout(&mut self, callout: &Callout) {

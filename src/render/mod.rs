@@ -12,6 +12,7 @@ mod pictures;
 mod stepper;
 mod table;
 mod templates;
+mod terms;
 
 use std::collections::BTreeMap;
 

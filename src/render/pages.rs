@@ -6,8 +6,9 @@ use serde_json::json;
 use super::Rendering;
 use super::landing;
 use super::markdown::Writer;
-use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MATTER, Matter};
+use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, Matter, TERMS};
 use super::templates::ASSETS;
+use super::terms;
 use crate::diag::Diagnostic;
 
 /// What every page knows of the book.
@@ -105,6 +106,10 @@ pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) 
         matter_page(rendering, &KINDS, json!({ "kinds": matter::kinds(rendering) }), diagnostics),
         matter_page(rendering, &BIBLIOGRAPHY, json!({ "entries": rendering.citations.list() }), diagnostics),
     ];
+    if !rendering.plan.terms.is_empty() {
+        let letters = terms::letters(rendering, diagnostics);
+        pages.push(matter_page(rendering, &TERMS, json!({ "letters": letters }), diagnostics));
+    }
     for chapter in 0..rendering.course.chapters.len() {
         pages.push((rendering.href(chapter), chapter_page(rendering, chapter, diagnostics)));
     }
@@ -120,7 +125,7 @@ pub(super) fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> Boo
         authors: &configuration.authors,
         language: &configuration.language,
         chapters: chapters(rendering, current).collect(),
-        matter: MATTER.iter().map(MatterContext::from).collect(),
+        matter: matter::of(rendering).map(MatterContext::from).collect(),
         version: env!("CARGO_PKG_VERSION"),
     }
 }

@@ -57,4 +57,6 @@ mod statistics;
 #[cfg(feature = "publish")]
 mod steppers;
 #[cfg(feature = "publish")]
+mod terms;
+#[cfg(feature = "publish")]
 mod tidy;
