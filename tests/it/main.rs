@@ -58,3 +58,5 @@ mod statistics;
 mod steppers;
 #[cfg(feature = "publish")]
 mod tidy;
+#[cfg(feature = "publish")]
+mod traps;
