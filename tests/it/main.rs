@@ -60,3 +60,5 @@ mod steppers;
 mod terms;
 #[cfg(feature = "publish")]
 mod tidy;
+#[cfg(feature = "publish")]
+mod traps;
