@@ -332,8 +332,8 @@ mod drawing {
         let shown = || data.arrows.iter().filter(|arrow| (from..=to).contains(&arrow.1));
         let arrow = |&(u, x): &(f64, f64)| Line::new(vec![(from, u), (x, u), (x, 0.0)]).style(Style::ACCENT).faint();
         let tips: Curve = shown().map(|&(_, x)| (x, 0.018)).collect();
-        axes(p, Axis::linear("*ξ* = *P*(*x*)").range(0.0, 1.04))
-            .title(format!("{} numbers *ξ* become samples *x*", p.arrows))
+        axes(p, Axis::linear("ξ = *P*(*x*)").range(0.0, 1.04))
+            .title(format!("{} numbers ξ become samples *x*", p.arrows))
             .with_all(shown().map(arrow))
             .with(Line::new(distribution).style(Style::new(Role::Blue)))
             .with(Marks::new(tips).style(Style::ACCENT.marker(Marker::Down)).size(7.0))
