@@ -101,7 +101,7 @@ pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
     diagnostics.extend(run::unsaved(&ran));
     let (outcomes, failures) = outcomes(&plan, &ran);
     diagnostics.extend(failures);
-    let (shown, complaints) = clock.time("exhibits", || exhibits::show(&plan, outcomes));
+    let (shown, complaints) = clock.time("exhibits", || exhibits::show(&plan, &outcomes));
     diagnostics.extend(complaints);
     diagnostics.extend(exhibits::check_values(&course, &plan, &shown));
     let mut composed = Composed {

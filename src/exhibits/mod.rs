@@ -2,6 +2,7 @@
 //!
 //! Drawing is a pure function of the data; nothing here computes a statistic.
 
+mod compute;
 mod values;
 mod verdict;
 
@@ -9,10 +10,10 @@ use std::sync::Arc;
 
 use crate::chart::{Drawing, Sheet};
 use crate::diag::{Code, Diagnostic};
-use crate::kinds::{Failure, Outcome};
+use crate::kinds::{Failure, Outcome, Values};
 use crate::plan::{Exhibit, Plan};
 
-pub use values::check as check_values;
+pub use values::{check as check_values, computed};
 pub use verdict::Verdict;
 
 /// An exhibit ready to be put on a page.
@@ -33,11 +34,15 @@ pub struct Shown {
 pub type Keyed = (String, Arc<Outcome>);
 
 /// Draws every exhibit of the plan; `outcomes` are its results with the digests of their keys, in its order, where there are any.
-pub fn show(plan: &Plan, outcomes: Vec<Option<Keyed>>) -> (Vec<Option<Shown>>, Vec<Diagnostic>) {
+pub fn show(plan: &Plan, outcomes: &[Option<Keyed>]) -> (Vec<Option<Shown>>, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
+    let values = |id: &str| -> Option<&Values> {
+        let index = plan.exhibits.iter().position(|exhibit| exhibit.id == id)?;
+        outcomes.get(index)?.as_ref().map(|(_, outcome)| &outcome.values)
+    };
     let shown = plan.exhibits.iter().zip(outcomes).map(|(exhibit, outcome)| {
-        let (key, outcome) = outcome?;
-        let verdicts = verdict::judge(exhibit, &outcome.values, &mut diagnostics);
+        let (key, outcome) = outcome.clone()?;
+        let verdicts = verdict::judge(exhibit, &outcome.values, &values, &mut diagnostics);
         let alt = alternative(exhibit, &outcome, &mut diagnostics);
         match draw(exhibit, &outcome, &alt) {
             Ok(drawing) => Some(Shown { key, outcome, drawing, alt, verdicts }),

@@ -1,10 +1,12 @@
 //! Verdicts: whether what a chapter claims of its results is true.
 
-use crate::catalogue::nearest;
+use super::compute::{Mistake, compute, describe, unknown};
 use crate::chart::number;
 use crate::diag::{Code, Diagnostic, Place};
+use crate::integrands::Calculation;
 use crate::kinds::{Measured, Value, Values};
-use crate::plan::{Bound, Claim, Exhibit, Format, Literal, escape, minus};
+use crate::parameters::inside;
+use crate::plan::{Amount, Bound, Exhibit, Format, Literal, Settled, escape, minus};
 
 /// Whether one bound holds of one value.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,30 +18,41 @@ pub struct Verdict {
     /// What was measured.
     pub measured: Measured,
     /// What was claimed of it.
-    pub bound: Bound,
+    pub bound: Bound<Settled>,
     /// Whether it is true.
     pub holds: bool,
 }
 
-/// Judges every claim of an exhibit; a false one, and one of a value that is not there, are told.
-pub(super) fn judge(exhibit: &Exhibit, values: &Values, diagnostics: &mut Vec<Diagnostic>) -> Vec<Verdict> {
+/// The values of an exhibit that is there.
+type Lookup<'l, 'v> = &'l dyn Fn(&str) -> Option<&'v Values>;
+
+/// Judges every claim of an exhibit; a false one, and one of a value that is not there, are told. `all` has the values of the others.
+pub(super) fn judge(
+    exhibit: &Exhibit,
+    values: &Values,
+    all: Lookup<'_, '_>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Verdict> {
     let mut verdicts = Vec::new();
     for (index, claim) in exhibit.claims.iter().enumerate() {
         let place = Place { file: exhibit.place.file.clone(), range: claim.range.clone() };
         let matching: Vec<(&str, &Measured)> = values.iter().filter(|(name, _)| fits(&claim.value, name)).collect();
         if matching.is_empty() {
-            diagnostics.push(no_value(exhibit, claim, values, &place));
+            diagnostics.push(unknown(&exhibit.id, &claim.value, values).at_place(&place));
         }
+        let texts = matching.iter().all(|(_, measured)| measured.number().is_none());
+        let bounds: Vec<_> = claim.bounds.iter().map(|bound| settle(bound, texts, exhibit, all, diagnostics)).collect();
         for (name, measured) in matching {
-            for (which, bound) in claim.bounds.iter().enumerate() {
-                let holds = match holds(bound, measured, values) {
+            for (which, bound) in bounds.iter().enumerate() {
+                let Some(bound) = bound.as_ref().map(|bound| narrowed(bound, measured)) else { continue };
+                let holds = match holds(&bound, measured, values) {
                     Ok(holds) => holds,
                     Err(message) => {
                         diagnostics.push(Diagnostic::error(Code::BadClaim, message).at_place(&place));
                         continue;
                     }
                 };
-                let (value, measured, bound) = (name.to_owned(), measured.clone(), bound.clone());
+                let (value, measured) = (name.to_owned(), measured.clone());
                 let verdict = Verdict { value, claim: (index, which), measured, bound, holds };
                 if !holds {
                     diagnostics.push(false_claim(exhibit, &verdict, &place));
@@ -49,6 +62,84 @@ pub(super) fn judge(exhibit: &Exhibit, values: &Values, diagnostics: &mut Vec<Di
         }
     }
     verdicts
+}
+
+/// The bound with its numbers; none if one of them cannot be had, which is told. If all values are `texts`, so is what they should equal.
+fn settle(
+    bound: &Bound,
+    texts: bool,
+    exhibit: &Exhibit,
+    all: Lookup<'_, '_>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Bound<Settled>> {
+    let mut number = |amount: &Amount| amount_of(amount, exhibit, all, diagnostics);
+    Some(match bound {
+        Bound::Near { target, within } => {
+            let (target, within) = (number(target), number(within));
+            Bound::Near { target: target?, within: distance(within?, bound, exhibit, diagnostics)? }
+        }
+        Bound::Below(limit) => Bound::Below(number(limit)?),
+        Bound::Above(limit) => Bound::Above(number(limit)?),
+        Bound::Equals(Literal::Number(expected)) => Bound::Equals(Literal::Number(number(expected)?)),
+        Bound::Equals(Literal::Either(text, expected)) if !texts => {
+            Bound::Equals(Literal::Either(text.clone(), number(expected)?))
+        }
+        Bound::Equals(Literal::Text(text) | Literal::Either(text, _)) => Bound::Equals(Literal::Text(text.clone())),
+        Bound::Holds(expected) => Bound::Holds(*expected),
+        Bound::Agrees { with, within } => {
+            let within = number(within)?;
+            Bound::Agrees { with: with.clone(), within: distance(within, bound, exhibit, diagnostics)? }
+        }
+    })
+}
+
+/// The number of a claim.
+fn amount_of(
+    amount: &Amount,
+    exhibit: &Exhibit,
+    all: Lookup<'_, '_>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Settled> {
+    let (calculation, place) = match amount {
+        Amount::Number(number) => return Some(Settled { number: *number, expression: None }),
+        Amount::Computed { calculation, place } => (calculation, place),
+    };
+    match compute(calculation, Some(&exhibit.id), all) {
+        Ok(number) => Some(Settled { number, expression: Some(calculation.text().to_owned()) }),
+        Err(mistakes) => {
+            let at = |mistake: Mistake| {
+                let range = inside(calculation.text(), place, &mistake.range);
+                mistake.error.at(&exhibit.place.file, range)
+            };
+            diagnostics.extend(mistakes.into_iter().map(at));
+            None
+        }
+    }
+}
+
+/// A tolerance, which is told if it is negative.
+fn distance(within: Settled, bound: &Bound, exhibit: &Exhibit, diagnostics: &mut Vec<Diagnostic>) -> Option<Settled> {
+    if within.number >= 0.0 {
+        return Some(within);
+    }
+    let message = format!("`within` is a distance: it cannot be negative, and it is {within}");
+    let error = Diagnostic::error(Code::OutOfRange, message);
+    diagnostics.push(match bound.amounts().last() {
+        Some(Amount::Computed { place, .. }) => error.at(&exhibit.place.file, place.clone()),
+        _ => error.at_place(&exhibit.place),
+    });
+    None
+}
+
+/// The bound as it is meant of this value: what a text should equal is a text, what a number should equal is a number.
+fn narrowed(bound: &Bound<Settled>, measured: &Measured) -> Bound<Settled> {
+    match bound {
+        Bound::Equals(Literal::Either(text, number)) => Bound::Equals(match measured.value {
+            Value::Text(_) => Literal::Text(text.clone()),
+            _ => Literal::Number(number.clone()),
+        }),
+        plain => plain.clone(),
+    }
 }
 
 /// Whether `name` is what `pattern` says, where `*` stands for any text.
@@ -62,24 +153,25 @@ fn fits(pattern: &str, name: &str) -> bool {
 }
 
 /// Whether a bound holds; an error if it cannot be said of such a value.
-fn holds(bound: &Bound, measured: &Measured, values: &Values) -> Result<bool, String> {
+fn holds(bound: &Bound<Settled>, measured: &Measured, values: &Values) -> Result<bool, String> {
     match (bound, &measured.value) {
         (Bound::Holds(expected), Value::Boolean(truth)) => return Ok(expected == truth),
         (Bound::Equals(Literal::Text(expected)), Value::Text(text)) => return Ok(expected == text),
         _ => {}
     }
-    let Some(number) = measured.number() else {
-        return Err(format!("the value is {}, of which this cannot be claimed", describe(&measured.value)));
-    };
+    let refused = || format!("the value is {}, of which this cannot be claimed", describe(&measured.value));
+    let Some(number) = measured.number() else { return Err(refused()) };
     match bound {
-        Bound::Near { target, within } => Ok((number - target).abs() <= *within),
-        Bound::Below(limit) => Ok(number < *limit),
-        Bound::Above(limit) => Ok(number > *limit),
-        Bound::Equals(Literal::Number(expected)) => Ok(number == *expected),
-        Bound::Agrees { with, within } => agrees(number, measured.standard_error, with, *within, values),
-        Bound::Equals(Literal::Text(_)) | Bound::Holds(_) => {
-            Err(format!("the value is {}, of which this cannot be claimed", describe(&measured.value)))
-        }
+        Bound::Near { target, within } => Ok((number - target.number).abs() <= within.number),
+        Bound::Below(limit) => Ok(number < limit.number),
+        Bound::Above(limit) => Ok(number > limit.number),
+        Bound::Equals(Literal::Number(expected) | Literal::Either(_, expected)) => Ok(number == expected.number),
+        Bound::Agrees { with, within } => agrees(number, measured.standard_error, with, within.number, values),
+        Bound::Equals(Literal::Text(text)) => Err(match Calculation::parse(text) {
+            Err(error) => format!("the value is a number, and `{text}` gives none: {error}"),
+            Ok(_) => refused(),
+        }),
+        Bound::Holds(_) => Err(refused()),
     }
 }
 
@@ -88,22 +180,6 @@ fn agrees(number: f64, standard_error: Option<f64>, with: &str, within: f64, val
         values.get(with).and_then(Measured::number).ok_or_else(|| format!("the exhibit gives no number `{with}`"))?;
     let error = standard_error.ok_or("the value has no standard error, so `agrees` says nothing; use `near`")?;
     Ok((number - other).abs() <= within * error)
-}
-
-fn describe(value: &Value) -> &'static str {
-    match value {
-        Value::Number(_) | Value::Integer(_) => "a number",
-        Value::Boolean(_) => "a truth value",
-        Value::Text(_) => "a text",
-    }
-}
-
-fn no_value(exhibit: &Exhibit, claim: &Claim, values: &Values, place: &Place) -> Diagnostic {
-    let near = nearest(&claim.value, values.names()).map(|near| format!("did you mean `{near}`?"));
-    Diagnostic::error(Code::UnknownValue, format!("`{}` gives no value `{}`", exhibit.id, claim.value))
-        .at_place(place)
-        .help_if(near)
-        .help(format!("`workbook run {}` lists its values", exhibit.id))
 }
 
 fn false_claim(exhibit: &Exhibit, verdict: &Verdict, place: &Place) -> Diagnostic {
@@ -119,13 +195,13 @@ fn false_claim(exhibit: &Exhibit, verdict: &Verdict, place: &Place) -> Diagnosti
 }
 
 impl Verdict {
-    /// What was claimed, as plain text, e.g. `near -0.5, within 0.05`.
+    /// What was claimed, as plain text, e.g. `near -0.5, within 0.05`; what computed a number stands behind it.
     pub fn bound_text(&self) -> String {
         match &self.bound {
             Bound::Near { target, within } => format!("near {target}, within {within}"),
             Bound::Below(limit) => format!("below {limit}"),
             Bound::Above(limit) => format!("above {limit}"),
-            Bound::Equals(Literal::Number(number)) => format!("equals {number}"),
+            Bound::Equals(Literal::Number(number) | Literal::Either(_, number)) => format!("equals {number}"),
             Bound::Equals(Literal::Text(text)) => format!("equals {text}"),
             Bound::Holds(true) => "holds".to_owned(),
             Bound::Holds(false) => "does not hold".to_owned(),
@@ -133,16 +209,20 @@ impl Verdict {
         }
     }
 
-    /// What was claimed, as a reader sees it.
+    /// What was claimed, as a reader sees it; what computed a number is its title.
     pub fn bound_html(&self) -> String {
         match &self.bound {
             Bound::Near { target, within } => {
-                format!("{}\u{202f}±\u{202f}{}", plain(*target, *within), plain(*within, *within))
+                let (near, far) = (near(target, within.number), tolerance(within));
+                format!("{}\u{202f}±\u{202f}{}", titled(target, &near), titled(within, &far))
             }
+            Bound::Below(limit) => format!("below {}", alone(limit)),
+            Bound::Above(limit) => format!("above {}", alone(limit)),
+            Bound::Equals(Literal::Number(number) | Literal::Either(_, number)) => format!("equals {}", alone(number)),
             Bound::Agrees { with, within } => {
-                format!("within {within} standard errors of <code>{}</code>", escape(with))
+                format!("within {} standard errors of <code>{}</code>", alone(within), escape(with))
             }
-            _ => minus(&escape(&self.bound_text())),
+            Bound::Equals(Literal::Text(_)) | Bound::Holds(_) => escape(&self.bound_text()),
         }
     }
 
@@ -152,7 +232,9 @@ impl Verdict {
             (Value::Number(_), Some(error), _) if error > 0.0 && error.is_finite() => {
                 Format::WithError(decimals(error))
             }
-            (Value::Number(_), _, Bound::Near { within, .. }) if *within > 0.0 => Format::Decimals(decimals(*within)),
+            (Value::Number(_), _, Bound::Near { within, .. }) if within.number > 0.0 => {
+                Format::Decimals(decimals(within.number))
+            }
             (Value::Number(_), _, _) => Format::Significant(4),
             _ => Format::Shortest,
         };
@@ -160,13 +242,42 @@ impl Verdict {
     }
 }
 
-/// A number of a claim: as it was written where that is short, else to the digits that the tolerance gives a meaning to.
-fn plain(value: f64, within: f64) -> String {
-    let text = value.to_string();
-    match text.len() {
-        0..=8 => minus(&text),
-        _ if value == within => number::scientific(value, 1),
-        _ => number::fixed(value, decimals(within)),
+/// The longest number that is shown as it is.
+const SHORT: usize = 8;
+
+/// A number as it is, if that is short.
+fn short(number: f64) -> Option<String> {
+    let text = number.to_string();
+    (text.len() <= SHORT).then(|| minus(&text))
+}
+
+/// What a value should be near: to the digits that the tolerance gives a meaning to.
+fn near(target: &Settled, within: f64) -> String {
+    short(target.number).unwrap_or_else(|| number::fixed(target.number, decimals(within)))
+}
+
+/// A tolerance: to one digit as it was written, to two if it was computed.
+fn tolerance(within: &Settled) -> String {
+    short(within.number).unwrap_or_else(|| match within.expression {
+        None => number::scientific(within.number, 1),
+        Some(_) => number::significant(within.number, 2),
+    })
+}
+
+/// A number that stands alone: as it was written, or to some digits if it was computed.
+fn alone(settled: &Settled) -> String {
+    let text = match settled.expression {
+        None => minus(&settled.number.to_string()),
+        Some(_) => short(settled.number).unwrap_or_else(|| number::significant(settled.number, 5)),
+    };
+    titled(settled, &text)
+}
+
+/// The `text` of a number, with what computed it.
+fn titled(settled: &Settled, text: &str) -> String {
+    match &settled.expression {
+        None => text.to_owned(),
+        Some(expression) => format!("<span title=\"{}\">{text}</span>", escape(expression)),
     }
 }
 
@@ -181,10 +292,14 @@ fn decimals(error: f64) -> usize {
 mod tests {
     use super::{agrees, decimals, fits, holds};
     use crate::kinds::{Measured, Value, Values};
-    use crate::plan::{Bound, Literal};
+    use crate::plan::{Bound, Literal, Settled};
 
     fn number(number: f64) -> Measured {
         Measured { value: Value::Number(number), standard_error: None }
+    }
+
+    fn settled(number: f64) -> Settled {
+        Settled { number, expression: None }
     }
 
     #[test]
@@ -197,13 +312,13 @@ mod tests {
     #[test]
     fn bounds_include_their_limit_only_where_they_say_so() {
         let values = Values::new();
-        let near = Bound::Near { target: 0.5, within: 0.25 };
+        let near = Bound::Near { target: settled(0.5), within: settled(0.25) };
         assert_eq!(holds(&near, &number(0.75), &values), Ok(true));
         assert_eq!(holds(&near, &number(0.76), &values), Ok(false));
-        assert_eq!(holds(&Bound::Below(1.0), &number(1.0), &values), Ok(false));
-        assert_eq!(holds(&Bound::Above(1.0), &number(f64::NAN), &values), Ok(false));
+        assert_eq!(holds(&Bound::Below(settled(1.0)), &number(1.0), &values), Ok(false));
+        assert_eq!(holds(&Bound::Above(settled(1.0)), &number(f64::NAN), &values), Ok(false));
         assert_eq!(holds(&near, &number(f64::NAN), &values), Ok(false));
-        assert_eq!(holds(&Bound::Equals(Literal::Number(2.0)), &number(2.0), &values), Ok(true));
+        assert_eq!(holds(&Bound::Equals(Literal::Number(settled(2.0))), &number(2.0), &values), Ok(true));
         assert!(holds(&Bound::Holds(true), &number(1.0), &values).is_err());
     }
 

@@ -23,7 +23,7 @@ pub mod identity;
 pub mod product;
 pub mod step;
 
-pub use expression::ExpressionError;
+pub use expression::{Calculation, ExpressionError};
 pub use function::{Function, Reference};
 
 /// Every integrand, in the order of display.

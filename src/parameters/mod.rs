@@ -23,6 +23,7 @@ mod scalars;
 pub use counts::Counts;
 pub(crate) use counts::place_of;
 pub(crate) use declare::{choices, parameters};
+pub(crate) use names::inside;
 pub use pair::Pair;
 pub use scalars::Unbounded;
 pub(crate) use scalars::read_word;

@@ -174,7 +174,7 @@ fn complain(text: &str, place: &Range<usize>, error: ExpressionError) -> Complai
 }
 
 /// The bytes of the fence where `range` of the string `text` stands; the whole string if it is written with escapes.
-fn inside(text: &str, place: &Range<usize>, range: &Range<usize>) -> Range<usize> {
+pub(crate) fn inside(text: &str, place: &Range<usize>, range: &Range<usize>) -> Range<usize> {
     let plain = place.len() == text.len() + 2;
     if !plain || range.start > range.end || range.end > text.len() {
         return place.clone();

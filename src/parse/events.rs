@@ -8,7 +8,7 @@ use pulldown_cmark::{CodeBlockKind, CowStr, Event, LinkType, MetadataBlockKind, 
 use super::Content;
 use super::fence::Fence;
 use super::inline::Run;
-use super::node::{CalloutKind, Formula, Label, Node, ValueUse, What};
+use super::node::{CalloutKind, Formula, Label, Node, What};
 use super::source_map::SourceMap;
 use crate::diag::{Code, Diagnostic};
 use crate::workspace::{CHAPTERS, Source, Workspace};
@@ -78,6 +78,20 @@ pub fn inline(
     reader.content.nodes
 }
 
+/// Reads markdown that stands outside of chapters into nodes, its paragraphs and lists included.
+pub(super) fn passage(
+    text: &str,
+    file: &Arc<str>,
+    map: SourceMap,
+    workspace: &Workspace,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Node> {
+    let events = Parser::new_ext(text, parser_options()).into_offset_iter().collect();
+    let mut reader = Reader::new(text, events, file, map, workspace, diagnostics);
+    reader.run();
+    reader.content.nodes
+}
+
 /// The state of the walk.
 pub(super) struct Reader<'a, 'w> {
     /// The text that the events were read from.
@@ -138,7 +152,7 @@ impl<'a, 'w> Reader<'a, 'w> {
             Event::Start(tag) => self.start(tag, range),
             Event::End(tag) => self.end(tag, range),
             Event::Text(text) => self.text(text, range),
-            Event::Code(code) => self.code(&code, range),
+            Event::Code(code) => self.code(code, range),
             Event::InlineMath(tex) => {
                 let formula = self.formula(&tex, range.start + 1);
                 self.push(What::Formula(formula), range);
@@ -260,26 +274,6 @@ impl<'a, 'w> Reader<'a, 'w> {
             self.paragraph = false;
         } else {
             self.push(What::Markdown(Event::End(TagEnd::Paragraph)), range.clone());
-        }
-    }
-
-    /// Code within a line; `` `=id.name:format` `` is a value.
-    fn code(&mut self, code: &CowStr<'a>, range: Range<usize>) {
-        let Some(value) = code.strip_prefix('=') else {
-            return self.push(What::Markdown(Event::Code(code.clone()).into_static()), range);
-        };
-        let (path, format) = value.split_once(':').unwrap_or((value, ""));
-        match path.split_once('.') {
-            Some((exhibit, name)) if !exhibit.is_empty() && !name.is_empty() => {
-                let value =
-                    ValueUse { exhibit: exhibit.to_owned(), name: name.to_owned(), format: format.trim().to_owned() };
-                self.push(What::Value(value), range);
-            }
-            _ => {
-                let error = self.error(Code::UnknownValue, format!("`={value}` names no value"), range);
-                self.diagnostics
-                    .push(error.help("write it as `=fig-id.value.name:.3`: an exhibit, a dot, the value's name"));
-            }
         }
     }
 

@@ -15,16 +15,29 @@ parameters! {
         title: String,
         /// What the chapter is about, in a sentence.
         summary: String,
+        /// The exhibit whose drawing stands for the chapter on the landing page.
+        picture: Option<String>,
     }
 }
 
-/// A chapter's title and summary.
+/// An exhibit that is named, and the place of its name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Chosen {
+    /// The exhibit's id.
+    pub id: String,
+    /// Where it stands in the chapter's file.
+    pub range: Range<usize>,
+}
+
+/// A chapter's title and summary, and what stands for it.
 #[derive(Debug, Clone, Default)]
 pub struct FrontMatter {
     /// The chapter's title.
     pub title: String,
     /// What the chapter is about, in a sentence.
     pub summary: String,
+    /// The exhibit whose drawing stands for the chapter; else it is the first that has one.
+    pub picture: Option<Chosen>,
 }
 
 /// Reads the front matter at `range` of a chapter; what is missing or wrong is told.
@@ -38,12 +51,17 @@ pub(super) fn read(range: Option<Range<usize>>, source: &Source, diagnostics: &m
     let table = toml_text::table(&source.text[range], &source.path, &map, diagnostics);
     let mut fields = Fields::plain(table.get_ref());
     let written = Written::read(&mut fields);
-    fields.finish(&["title", "summary"]);
+    let place = map.range(fields.place("picture"));
+    fields.finish(&["title", "summary", "picture"]);
     for complaint in fields.complaints {
         let mut diagnostic =
             Diagnostic::error(complaint.code, complaint.message).at(&source.path, map.range(complaint.range));
         diagnostic.help = complaint.help;
         diagnostics.push(diagnostic);
     }
-    written.map_or_else(FrontMatter::default, |written| FrontMatter { title: written.title, summary: written.summary })
+    written.map_or_else(FrontMatter::default, |written| FrontMatter {
+        title: written.title,
+        summary: written.summary,
+        picture: written.picture.map(|id| Chosen { id, range: place }),
+    })
 }

@@ -9,9 +9,11 @@ mod events;
 mod fence;
 mod front_matter;
 mod inline;
+mod landing;
 mod node;
 mod source_map;
 mod toml_text;
+mod value;
 
 use std::sync::Arc;
 
@@ -21,8 +23,9 @@ use crate::workspace::{self, Workspace};
 pub use configuration::Configuration;
 pub use events::{inline as caption, parser_options};
 pub use fence::Fence;
-pub use front_matter::FrontMatter;
-pub use node::{Callout, CalloutKind, Cited, Formula, Label, Node, ValueUse, What};
+pub use front_matter::{Chosen, FrontMatter};
+pub use landing::Passage;
+pub use node::{Callout, CalloutKind, Cited, Computed, Formula, Label, Node, ValueUse, What};
 pub use source_map::SourceMap;
 pub use toml_text::table;
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 use pulldown_cmark::Event;
 
 use super::source_map::SourceMap;
+use crate::integrands::Calculation;
 
 /// A piece of a chapter and the bytes of the file that it was read from.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,6 +36,8 @@ pub enum What {
     Listing(usize),
     /// A number that an experiment gives.
     Value(ValueUse),
+    /// A number that the build computes from such numbers.
+    Computed(Computed),
     /// A reference to a label anywhere in the book.
     Reference(String),
     /// Citations in one pair of brackets.
@@ -72,6 +75,24 @@ pub struct ValueUse {
     pub name: String,
     /// How it is written, as the author gave it after the colon; empty for the default.
     pub format: String,
+}
+
+/// A number in prose that is computed: `` `=(sqrt([fig-a.variance]/16)):.3` ``.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Computed {
+    /// The expression; its names are those of values, `fig-a.variance`.
+    pub calculation: Calculation,
+    /// Where the expression starts in the file, if it stands there as it was read.
+    pub start: Option<usize>,
+    /// How the number is written, as in [`ValueUse`].
+    pub format: String,
+}
+
+impl Computed {
+    /// The bytes of the file where `range` of the expression stands; the whole piece, at `piece`, if that cannot be said.
+    pub fn place(&self, range: &Range<usize>, piece: &Range<usize>) -> Range<usize> {
+        self.start.map_or(piece.clone(), |start| start + range.start..start + range.end)
+    }
 }
 
 /// One work of a citation.

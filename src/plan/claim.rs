@@ -4,8 +4,10 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
+use super::amount::Amount;
 use crate::diag::Code;
 use crate::parameters::{Complaint, Fields};
+use crate::parse::SourceMap;
 
 /// A statement about values of an exhibit.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,22 +20,22 @@ pub struct Claim {
     pub range: Range<usize>,
 }
 
-/// What must hold of a value.
+/// What must hold of a value; `N` is what its numbers are: [`Amount`] as written, `Settled` once they are known.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Bound {
+pub enum Bound<N = Amount> {
     /// Not further than `within` from `target`.
     Near {
         /// The number it should be near.
-        target: f64,
+        target: N,
         /// The largest distance.
-        within: f64,
+        within: N,
     },
     /// Less than this.
-    Below(f64),
+    Below(N),
     /// More than this.
-    Above(f64),
+    Above(N),
     /// Exactly this.
-    Equals(Literal),
+    Equals(Literal<N>),
     /// A truth that holds, or a falsehood that does not.
     Holds(bool),
     /// Not further than `within` standard errors from another value of the exhibit.
@@ -41,17 +43,49 @@ pub enum Bound {
         /// The other value's name.
         with: String,
         /// How many standard errors.
-        within: f64,
+        within: N,
     },
 }
 
 /// What a value can be equal to.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Literal {
+pub enum Literal<N = Amount> {
     /// A number.
-    Number(f64),
+    Number(N),
     /// A text.
     Text(String),
+    /// A text that is an expression as well: a value that is a text must be the text, a number what the expression gives.
+    Either(String, N),
+}
+
+impl<N> Bound<N> {
+    /// Its numbers.
+    pub fn amounts(&self) -> Vec<&N> {
+        match self {
+            Self::Near { target, within } => vec![target, within],
+            Self::Below(amount)
+            | Self::Above(amount)
+            | Self::Agrees { within: amount, .. }
+            | Self::Equals(Literal::Number(amount) | Literal::Either(_, amount)) => vec![amount],
+            Self::Equals(Literal::Text(_)) | Self::Holds(_) => Vec::new(),
+        }
+    }
+}
+
+impl Claim {
+    /// It with places in the file instead of those in the fence.
+    pub(super) fn placed(self, map: &SourceMap) -> Self {
+        let bounds = self.bounds.into_iter().map(|bound| match bound {
+            Bound::Near { target, within } => Bound::Near { target: target.placed(map), within: within.placed(map) },
+            Bound::Below(limit) => Bound::Below(limit.placed(map)),
+            Bound::Above(limit) => Bound::Above(limit.placed(map)),
+            Bound::Equals(Literal::Number(number)) => Bound::Equals(Literal::Number(number.placed(map))),
+            Bound::Equals(Literal::Either(text, number)) => Bound::Equals(Literal::Either(text, number.placed(map))),
+            Bound::Agrees { with, within } => Bound::Agrees { with, within: within.placed(map) },
+            plain @ (Bound::Equals(Literal::Text(_)) | Bound::Holds(_)) => plain,
+        });
+        Self { bounds: bounds.collect(), range: map.range(self.range), value: self.value }
+    }
 }
 
 const KEYS: &[&str] = &["near", "within", "below", "above", "equals", "holds", "agrees"];
@@ -98,8 +132,8 @@ fn shapeless(name: &str, range: Range<usize>) -> Complaint {
 
 fn read_bounds(fields: &mut Fields<'_>, key: Range<usize>) -> Vec<Bound> {
     let mut bounds = Vec::new();
-    let within = fields.read::<f64>("within");
-    if within.is_some_and(|within| within < 0.0) {
+    let within = Amount::read(fields, "within");
+    if within.as_ref().and_then(Amount::constant).is_some_and(|within| within < 0.0) {
         let place = fields.place("within");
         fields.complaints.push(Complaint::new(
             Code::OutOfRange,
@@ -107,9 +141,11 @@ fn read_bounds(fields: &mut Fields<'_>, key: Range<usize>) -> Vec<Bound> {
             "`within` is a distance: it cannot be negative",
         ));
     }
-    if let Some(target) = fields.read::<f64>("near") {
-        match within {
+    if let Some(target) = Amount::read(fields, "near") {
+        match within.clone() {
             Some(within) => bounds.push(Bound::Near { target, within }),
+            // A tolerance that cannot be read has been told.
+            None if fields.value("within").is_some() => {}
             None => fields.complaints.push(
                 Complaint::new(Code::BadClaim, fields.place("near"), "`near` needs `within`: how near?").help(
                     "write `{ near = x, within = y }` with a tolerance that theory or a standard error justifies",
@@ -117,12 +153,12 @@ fn read_bounds(fields: &mut Fields<'_>, key: Range<usize>) -> Vec<Bound> {
             ),
         }
     }
-    bounds.extend(fields.read::<f64>("below").map(Bound::Below));
-    bounds.extend(fields.read::<f64>("above").map(Bound::Above));
+    bounds.extend(Amount::read(fields, "below").map(Bound::Below));
+    bounds.extend(Amount::read(fields, "above").map(Bound::Above));
     bounds.extend(fields.read::<bool>("holds").map(Bound::Holds));
     bounds.extend(read_equals(fields));
     if let Some(with) = fields.read::<String>("agrees") {
-        bounds.push(Bound::Agrees { with, within: within.unwrap_or(4.0) });
+        bounds.push(Bound::Agrees { with, within: within.unwrap_or(Amount::Number(4.0)) });
     } else if within.is_some() && fields.value("near").is_none() {
         let place = fields.place("within");
         fields.complaints.push(Complaint::new(Code::BadClaim, place, "`within` goes with `near` or with `agrees`"));
@@ -138,13 +174,17 @@ fn read_equals(fields: &mut Fields<'_>) -> Option<Bound> {
     let literal = match value.get_ref() {
         DeValue::String(text) => {
             fields.take("equals");
-            Literal::Text(text.to_string())
+            // What is no expression can still be what a text is equal to.
+            match Amount::computed(text, value) {
+                Ok(amount) => Literal::Either(text.to_string(), amount),
+                Err(_) => Literal::Text(text.to_string()),
+            }
         }
         DeValue::Boolean(truth) => {
             fields.take("equals");
             return Some(Bound::Holds(*truth));
         }
-        _ => Literal::Number(fields.read::<f64>("equals")?),
+        _ => Literal::Number(Amount::read(fields, "equals")?),
     };
     Some(Bound::Equals(literal))
 }

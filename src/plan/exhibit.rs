@@ -53,7 +53,7 @@ fn read(fence: &Fence, reading: &Reading<'_>, seen: &mut Seen, diagnostics: &mut
         place,
         caption: caption?,
         alt: head.alt,
-        claims: claims.into_iter().map(|claim| claim::Claim { range: fence.map.range(claim.range), ..claim }).collect(),
+        claims: claims.into_iter().map(|claim| claim.placed(&fence.map)).collect(),
         seed: head.seed.map_or(reading.seed, |seed| seed as u64),
         experiment: Arc::from(experiment?),
     })

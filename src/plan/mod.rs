@@ -1,6 +1,7 @@
 //! The plan: all that is due. Written experiments become validated ones with keys; labels get their numbers; what refers to
 //! nothing is told. Later stages cannot see the raw form.
 
+mod amount;
 mod bibliography;
 mod claim;
 mod exhibit;
@@ -19,6 +20,7 @@ use crate::kinds::Experiment;
 use crate::parse::{Chapter, Course, Node};
 use crate::workspace::Workspace;
 
+pub use amount::{Amount, Settled};
 pub use bibliography::Bibliography;
 pub use claim::{Bound, Claim, Literal};
 pub use format::Format;
@@ -26,6 +28,7 @@ pub(crate) use format::{escape, minus};
 pub use formula::Converter;
 pub use labels::{LabelKind, Labels, Section, Target};
 pub use listing::Listing;
+pub use references::address;
 pub use seen::Seen;
 
 /// All that is due for a book.

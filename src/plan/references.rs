@@ -5,32 +5,56 @@ use std::sync::Arc;
 
 use pulldown_cmark::{Event, Tag};
 
-use super::Plan;
+use super::amount::Amount;
+use super::claim::Bound;
 use super::format::Format;
 use super::formula::Converter;
 use super::links::{self, BadLink};
+use super::{Exhibit, Plan};
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic};
-use crate::parse::{Callout, Cited, Course, Formula, Node, ValueUse, What};
+use crate::parse::{Callout, Chosen, Cited, Computed, Course, Formula, Node, ValueUse, What};
+use crate::workspace::CONFIGURATION;
+
+/// The exhibit and the value that a name in the brackets of an expression means: `fig-a.exact` is the value `exact` of `fig-a`. In a claim
+/// a name that begins with no exhibit's id means a value of the exhibit itself, `home`.
+pub fn address<'n>(name: &'n str, home: Option<&'n str>) -> Option<(&'n str, &'n str)> {
+    let split = name.split_once('.').filter(|(exhibit, value)| !exhibit.is_empty() && !value.is_empty());
+    match home {
+        None => split,
+        Some(home) => {
+            let other = split.filter(|(exhibit, _)| exhibit.starts_with("fig-") || exhibit.starts_with("tbl-"));
+            Some(other.unwrap_or((home, name)))
+        }
+    }
+}
 
 /// Checks everything that refers to something, in chapters, captions and titles.
 pub(super) fn check(course: &Course, plan: &Plan, diagnostics: &mut Vec<Diagnostic>) {
     let converter = Converter::new(&course.configuration.macros, diagnostics);
     for (index, chapter) in course.chapters.iter().enumerate() {
         let mut checking = Checking { file: &chapter.file, index, course, plan, converter: &converter, diagnostics };
+        checking.picture(chapter.front.picture.as_ref());
         checking.nodes(&chapter.content.nodes);
         for exhibit in plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index) {
             checking.nodes(&exhibit.caption);
+            checking.bounds(exhibit);
         }
         plan.seen.captions(index).for_each(|caption| checking.nodes(caption));
         for listing in plan.listings.iter().filter(|listing| listing.chapter == index) {
             checking.nodes(&listing.caption);
         }
     }
+    let (file, index) = (Arc::from(CONFIGURATION), usize::MAX);
+    let mut checking = Checking { file: &file, index, course, plan, converter: &converter, diagnostics };
+    for passage in &course.configuration.landing {
+        checking.nodes(&passage.nodes);
+    }
 }
 
 struct Checking<'a> {
     file: &'a Arc<str>,
+    /// The index of the chapter; what stands outside of chapters has one that none has.
     index: usize,
     course: &'a Course,
     plan: &'a Plan,
@@ -45,6 +69,7 @@ impl Checking<'_> {
                 What::Reference(id) => self.reference(id, &node.range),
                 What::Citation(cited) => cited.iter().for_each(|cited| self.citation(cited)),
                 What::Value(value) => self.value(value, &node.range),
+                What::Computed(computed) => self.computed(computed, &node.range),
                 What::Formula(formula) => self.formula(formula, false, &node.range),
                 What::Equation { formula, .. } => self.formula(formula, true, &node.range),
                 What::CalloutStart(Callout { title, .. }) => self.nodes(title),
@@ -58,6 +83,17 @@ impl Checking<'_> {
         let mut diagnostic = Diagnostic::error(code, message).at(self.file, range.clone());
         diagnostic.help.extend(help);
         self.diagnostics.push(diagnostic);
+    }
+
+    /// The exhibit that stands for the chapter: one of its own. Whether it has a drawing is known once it has run.
+    fn picture(&mut self, chosen: Option<&Chosen>) {
+        let Some(Chosen { id, range }) = chosen else { return };
+        let own = || self.plan.exhibits.iter().filter(|exhibit| exhibit.chapter == self.index);
+        if own().any(|exhibit| exhibit.id == *id) || self.plan.seen.is_wrong(id) {
+            return;
+        }
+        let near = nearest(id, own().map(|exhibit| exhibit.id.as_str())).map(|near| format!("did you mean `{near}`?"));
+        self.tell(Code::MissingTarget, format!("the chapter has no exhibit `{id}` to stand for it"), range, near);
     }
 
     fn reference(&mut self, id: &str, range: &Range<usize>) {
@@ -78,14 +114,51 @@ impl Checking<'_> {
 
     /// The exhibit of a value; whether it gives the value is known once it has run.
     fn value(&mut self, value: &ValueUse, range: &Range<usize>) {
-        if self.plan.exhibit(&value.exhibit).is_none() && !self.plan.seen.is_wrong(&value.exhibit) {
+        self.exhibit(&value.exhibit, range);
+        self.format(&value.format, range);
+    }
+
+    fn exhibit(&mut self, id: &str, range: &Range<usize>) {
+        if self.plan.exhibit(id).is_none() && !self.plan.seen.is_wrong(id) {
             let ids = self.plan.exhibits.iter().map(|exhibit| exhibit.id.as_str());
-            let near = nearest(&value.exhibit, ids).map(|near| format!("did you mean `{near}`?"));
-            self.tell(Code::UnknownValue, format!("there is no exhibit `{}`", value.exhibit), range, near);
+            let near = nearest(id, ids).map(|near| format!("did you mean `{near}`?"));
+            self.tell(Code::UnknownValue, format!("there is no exhibit `{id}`"), range, near);
         }
-        if let Err(message) = Format::parse(&value.format) {
+    }
+
+    fn format(&mut self, format: &str, range: &Range<usize>) -> Option<Format> {
+        let parsed = Format::parse(format);
+        if let Err(message) = &parsed {
             let help = "formats are `.3` decimals, `.3e` powers of ten, `.3g` significant digits, `.1%` per cent, `d` a whole number, `.3±` with its standard error";
-            self.tell(Code::Format, message, range, [help.to_owned()]);
+            self.tell(Code::Format, message.clone(), range, [help.to_owned()]);
+        }
+        parsed.ok()
+    }
+
+    /// The exhibits of an expression in the text; whether they give the values is known once they have run.
+    fn computed(&mut self, computed: &Computed, range: &Range<usize>) {
+        for (name, place) in computed.calculation.names() {
+            let place = computed.place(&place, range);
+            if let Some((exhibit, _)) = address(name, None) {
+                self.exhibit(exhibit, &place);
+            } else {
+                let help = "write an exhibit, a dot, the value's name: `[fig-id.value.name]`".to_owned();
+                self.tell(Code::UnknownValue, format!("`[{name}]` names no value"), &place, [help]);
+            }
+        }
+        if matches!(self.format(&computed.format, range), Some(Format::WithError(_))) {
+            let help = "write the decimals alone, `.3`".to_owned();
+            self.tell(Code::Format, "a computed number has no standard error".to_owned(), range, [help]);
+        }
+    }
+
+    /// The other exhibits that the bounds of an exhibit's claims name.
+    fn bounds(&mut self, exhibit: &Exhibit) {
+        let amounts = exhibit.claims.iter().flat_map(|claim| &claim.bounds).flat_map(Bound::amounts);
+        for (name, place) in amounts.flat_map(Amount::names) {
+            if let Some((other, _)) = address(name, Some(&exhibit.id)) {
+                self.exhibit(other, &place);
+            }
         }
     }
 

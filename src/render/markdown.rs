@@ -7,7 +7,9 @@ use pulldown_cmark::{Alignment, CodeBlockKind, Event, HeadingLevel, Tag, TagEnd}
 
 use super::Rendering;
 use crate::diag::Diagnostic;
-use crate::parse::{Callout, CalloutKind, Formula, Label, Node, ValueUse, What};
+use crate::exhibits;
+use crate::kinds::Measured;
+use crate::parse::{Callout, CalloutKind, Computed, Formula, Label, Node, ValueUse, What};
 use crate::plan::{Format, escape, links};
 
 /// The character that forbids a line's break where it stands.
@@ -64,6 +66,11 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// A writer of what stands outside of chapters: there, everything that is referred to is on another page.
+    pub(super) fn outside(rendering: &'a Rendering<'a>) -> Self {
+        Self::new(rendering, usize::MAX)
+    }
+
     /// The whole chapter.
     pub(super) fn chapter(mut self) -> Written {
         let nodes = &self.rendering.course.chapters[self.chapter].content.nodes;
@@ -75,7 +82,7 @@ impl<'a> Writer<'a> {
         Written { body: self.out, footnotes, diagnostics: self.diagnostics }
     }
 
-    /// Nodes within a line, such as a caption.
+    /// Nodes that stand by themselves, such as a caption or a passage.
     pub(super) fn inline(mut self, nodes: &[Node]) -> (String, Vec<Diagnostic>) {
         for (at, node) in nodes.iter().enumerate() {
             self.node(node, nodes.get(at + 1));
@@ -91,6 +98,7 @@ impl<'a> Writer<'a> {
             What::Experiment(fence) => self.exhibit(*fence),
             What::Listing(fence) => self.listing(*fence),
             What::Value(value) => self.value(value),
+            What::Computed(computed) => self.computed(computed),
             What::Reference(id) => self.reference(id),
             What::Citation(cited) => {
                 let keys: Vec<String> = cited.iter().map(|cited| self.rendering.citations.link(cited)).collect();
@@ -292,10 +300,19 @@ impl<'a> Writer<'a> {
     fn value(&mut self, value: &ValueUse) {
         let index = self.rendering.plan.exhibits.iter().position(|exhibit| exhibit.id == value.exhibit);
         let measured = index.and_then(|index| self.rendering.shown[index].outcome.values.get(&value.name));
-        // What is not there has been told before rendering.
-        if let (Some(measured), Ok(format)) = (measured, Format::parse(&value.format)) {
-            let path = escape(&format!("{}.{}", value.exhibit, value.name));
-            let _ = write!(self.out, "<span class=\"value\" title=\"{path}\">{}</span>", format.write(measured));
+        self.number(measured, &value.format, &format!("{}.{}", value.exhibit, value.name));
+    }
+
+    fn computed(&mut self, computed: &Computed) {
+        let measured = exhibits::computed(&computed.calculation, self.rendering.plan, self.rendering.shown);
+        self.number(measured.as_ref(), &computed.format, computed.calculation.text());
+    }
+
+    /// A number from results, and where it is from. What is not there has been told before rendering.
+    fn number(&mut self, measured: Option<&Measured>, format: &str, from: &str) {
+        if let (Some(measured), Ok(format)) = (measured, Format::parse(format)) {
+            let from = escape(from);
+            let _ = write!(self.out, "<span class=\"value\" title=\"{from}\">{}</span>", format.write(measured));
         }
     }
 

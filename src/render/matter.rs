@@ -78,8 +78,6 @@ fn thumbnail<'a>(rendering: &'a Rendering<'a>, index: usize, diagnostics: &mut V
     let (exhibit, shown) = (&rendering.plan.exhibits[index], &rendering.shown[index]);
     let (caption, complaints) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
     diagnostics.extend(complaints);
-    let is_picture = |path: &&str| [".svg", ".png"].iter().any(|end| path.ends_with(end));
-    let images = rendering.files[index].iter().map(|file| file.path.as_str()).filter(is_picture);
     Thumbnail {
         id: &exhibit.id,
         label: label(rendering, &exhibit.id),
@@ -87,12 +85,18 @@ fn thumbnail<'a>(rendering: &'a Rendering<'a>, index: usize, diagnostics: &mut V
         // Links within links are no HTML.
         caption: without_links(&caption),
         claims: shown.verdicts.len(),
-        images: images.collect(),
+        images: images(rendering, index).collect(),
         table: match &shown.drawing {
             Drawing::Table(drawn) => Some(table::html(drawn, &rendering.converter)),
             _ => None,
         },
     }
+}
+
+/// The files of an exhibit that are pictures.
+pub(super) fn images<'a>(rendering: &'a Rendering<'_>, index: usize) -> impl Iterator<Item = &'a str> {
+    let is_picture = |path: &&str| [".svg", ".png"].iter().any(|end| path.ends_with(end));
+    rendering.files[index].iter().map(|file| file.path.as_str()).filter(is_picture)
 }
 
 /// HTML without its links' tags; their words stay.

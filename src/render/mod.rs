@@ -3,6 +3,7 @@
 mod citations;
 pub(crate) mod data;
 mod exhibit;
+mod landing;
 pub(crate) mod machine;
 mod markdown;
 mod matter;

@@ -1,6 +1,6 @@
 //! Functions, expressions and statistics against exact values.
 
-use workbook::integrands::{Function, INTEGRANDS};
+use workbook::integrands::{Calculation, Function, INTEGRANDS};
 use workbook::samplers::Method;
 use workbook::seed::Seed;
 use workbook::stats::moments::Moments;
@@ -117,6 +117,55 @@ fn expressions_mean_what_print_means() {
         let function = Function::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
         assert!((function.evaluate(x) - value).abs() < 1e-15, "{text}: {}", function.evaluate(x));
     }
+}
+
+/// Functions that chapters use to compute with, against tables (Abramowitz and Stegun 7.1, 26.1) and by hand.
+#[test]
+fn calculations_have_the_functions_of_statistics() {
+    let cases: &[(&str, f64)] = &[
+        ("normal_cdf(1)", 0.841_344_746_068_542_9),
+        ("normal_quantile(0.975)", 1.959_963_984_540_054),
+        ("erf(1) + erfc(1)", 1.0),
+        ("factorial(0) + factorial(5)", 121.0),
+        ("factorial(20)", 2_432_902_008_176_640_000.0),
+        ("round(2.5) + floor(-0.5) + ceil(0.5)", 3.0),
+        ("log2(1024) + log10(1000) + ln(e)", 14.0),
+    ];
+    for (text, value) in cases {
+        let found = Calculation::parse(text).unwrap_or_else(|error| panic!("{text}: {error}")).evaluate(&[]);
+        assert!((found - value).abs() <= 1e-15 * value.abs(), "{text}: {found}");
+    }
+    for text in ["factorial(1.5)", "factorial(-1)", "factorial(171)", "factorial(1e300)"] {
+        assert!(!Calculation::parse(text).expect(text).evaluate(&[]).is_finite(), "{text}");
+    }
+}
+
+/// Names in brackets are variables in the order of the text, whatever they look like; coordinates are none.
+#[test]
+fn calculations_name_values_in_brackets() {
+    let text = "[ fig-a.x-1 ]/[b] - 2*[fig-a.x-1]^[c.4]";
+    let calculation = Calculation::parse(text).expect("valid");
+    let names: Vec<(&str, usize)> = calculation.names().map(|(name, range)| (name, range.start)).collect();
+    assert_eq!(names, [("fig-a.x-1", 2), ("b", 15), ("fig-a.x-1", 23), ("c.4", 35)]);
+    assert_eq!(calculation.evaluate(&[8.0, 4.0, 3.0, 2.0]), -16.0);
+    let cases: &[(&str, std::ops::Range<usize>, &str, Option<&str>)] = &[
+        ("1 + x", 4..5, "no `x`", None),
+        ("x1", 0..2, "no `x1`", None),
+        ("1 + [a", 4..5, "not closed", None),
+        ("1 + []", 4..6, "no name", None),
+        ("[[a]]", 0..4, "no name", None),
+        ("[a]]", 3..4, "no place", None),
+        ("[a][b]", 3..6, "operator is missing", None),
+        ("sqrrt([a])", 0..5, "no `sqrrt`", Some("sqrt")),
+        ("log(2)", 0..3, "no `log`", Some("ln")),
+    ];
+    for (text, range, message, suggestion) in cases {
+        let error = Calculation::parse(text).expect_err(text);
+        assert_eq!(&error.range, range, "{text}: {error}");
+        assert!(error.message.contains(message), "{text}: {error}");
+        assert_eq!(error.suggestion.as_deref(), *suggestion, "{text}: {error}");
+    }
+    assert!(Function::parse("[a]").is_err(), "an integrand has coordinates, no names");
 }
 
 /// The deck's function as text is, bit for bit, the catalogued one.

@@ -36,6 +36,7 @@ fn call(name: &str, latex: &str, argument: &str) -> String {
         "abs" => format!(r"\left|{argument}\right|"),
         "floor" => format!(r"\left\lfloor {argument}\right\rfloor"),
         "ceil" => format!(r"\left\lceil {argument}\right\rceil"),
+        "factorial" => format!(r"\left({argument}\right)!"),
         _ => format!(r"{latex}\left({argument}\right)"),
     }
 }

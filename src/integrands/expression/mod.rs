@@ -7,6 +7,9 @@
 //! `<=`, `>`, `>=`, which give 1 or 0; functions of one argument (`sin`, `exp`, `sqrt`, ...) and of
 //! two (`min`, `max`, `pow`).
 //!
+//! A [`Calculation`] is of the same grammar with other variables: names in square brackets, such as
+//! `[fig-a.rmse.16]`, which stand for values of results.
+//!
 //! **Why not a crate.** The expression crates that were tried bind a sign stronger than `^`, so
 //! that `exp(-x^2-y^2)` would silently be another function, and tell no place of a mistake. Every
 //! function is from [`crate::stats::portable`].
@@ -14,11 +17,13 @@
 //! **Cost.** The tree becomes a list of steps on a stack of numbers; a whole exponent becomes
 //! multiplications.
 
+mod calculation;
 mod formula;
 mod parser;
 mod program;
 
-use crate::stats::portable;
+use crate::stats::{normal, portable};
+pub use calculation::Calculation;
 pub(super) use program::Expression;
 use std::fmt::{Display, Formatter};
 use std::ops::Range;
@@ -80,10 +85,15 @@ static UNARIES: &[Unary] = &[
     unary("log2", r"\log_2", portable::log2),
     unary("log10", r"\log_{10}", portable::log10),
     unary("erf", r"\operatorname{erf}", portable::erf),
+    unary("erfc", r"\operatorname{erfc}", portable::erfc),
+    unary("normal_cdf", r"\Phi", normal::distribution),
+    unary("normal_quantile", r"\Phi^{-1}", normal::quantile),
+    unary("factorial", "!", factorial),
     unary("sqrt", r"\sqrt", f64::sqrt),
     unary("abs", "|", f64::abs),
     unary("floor", r"\lfloor", f64::floor),
     unary("ceil", r"\lceil", f64::ceil),
+    unary("round", r"\operatorname{round}", f64::round),
 ];
 
 /// The functions of two arguments.
@@ -136,6 +146,15 @@ impl Operator {
             Self::AtLeast => f64::from(left >= right),
         }
     }
+}
+
+/// The product of the whole numbers up to `n`; NaN if that is not a whole number, or negative.
+fn factorial(n: f64) -> f64 {
+    if n < 0.0 || n.fract() != 0.0 {
+        return f64::NAN;
+    }
+    // Beyond 170! there is no finite product.
+    (1..=n.min(171.0) as u32).map(f64::from).product()
 }
 
 /// How strongly a sign binds: weaker than `^`, stronger than `*`.

@@ -15,6 +15,8 @@ const LONGEST: usize = 1000;
 enum Token<'a> {
     Number(f64),
     Name(&'a str),
+    /// A name in square brackets, by its place among them.
+    Bracketed(usize),
     Operator(Operator),
     Open,
     Close,
@@ -22,19 +24,38 @@ enum Token<'a> {
     End,
 }
 
-/// Reads `text`.
+/// What stands for the numbers that are known only when the expression is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Variables {
+    /// The coordinates `x`, `y`, `z`, `x1`, ...
+    Coordinates,
+    /// Names in square brackets, each a variable of its own in the order of the text.
+    Bracketed,
+}
+
+/// Reads `text`, an expression in the coordinates.
 pub(super) fn parse(text: &str) -> Result<Node, ExpressionError> {
-    let tokens = tokens(text)?;
+    read(text, Variables::Coordinates).map(|(node, _)| node)
+}
+
+/// Reads `text`, an expression in bracketed names: the n-th of them is the n-th variable, and stands where is told.
+pub(super) fn parse_bracketed(text: &str) -> Result<(Node, Vec<Range<usize>>), ExpressionError> {
+    read(text, Variables::Bracketed)
+}
+
+fn read(text: &str, variables: Variables) -> Result<(Node, Vec<Range<usize>>), ExpressionError> {
+    let mut names = Vec::new();
+    let tokens = tokens(text, variables, &mut names)?;
     if tokens.len() > LONGEST {
         return Err(error(0..text.len(), format!("the expression has more than {LONGEST} words")));
     }
-    let mut parser = Parser { text, tokens, at: 0 };
+    let mut parser = Parser { text, tokens, variables, at: 0 };
     if parser.token() == Token::End {
         return Err(error(0..text.len(), "the expression is empty"));
     }
     let node = parser.expression(0, 0)?;
     match parser.token() {
-        Token::End => Ok(node),
+        Token::End => Ok((node, names)),
         Token::Close => Err(error(parser.range(), "this parenthesis closes nothing")),
         Token::Comma => Err(error(parser.range(), "a comma stands only between the arguments of a function")),
         _ => Err(parser.missing_operator()),
@@ -45,8 +66,12 @@ fn error(range: Range<usize>, message: impl Into<String>) -> ExpressionError {
     ExpressionError { range, message: message.into(), suggestion: None }
 }
 
-/// The words of `text` with their places; the last is the end.
-fn tokens(text: &str) -> Result<Vec<(Token<'_>, Range<usize>)>, ExpressionError> {
+/// The words of `text` with their places; the last is the end. The places of bracketed names are added to `names`.
+fn tokens<'t>(
+    text: &'t str,
+    variables: Variables,
+    names: &mut Vec<Range<usize>>,
+) -> Result<Vec<(Token<'t>, Range<usize>)>, ExpressionError> {
     let mut tokens = Vec::new();
     let mut at = 0;
     while let Some(first) = text[at..].chars().next() {
@@ -61,6 +86,10 @@ fn tokens(text: &str) -> Result<Vec<(Token<'_>, Range<usize>)>, ExpressionError>
                 let length = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
                 (Token::Name(&rest[..length]), length)
             }
+            '[' if variables == Variables::Bracketed => {
+                names.push(bracketed(rest, at)?);
+                (Token::Bracketed(names.len() - 1), rest.find(']').map_or(rest.len(), |close| close + 1))
+            }
             '(' => (Token::Open, 1),
             ')' => (Token::Close, 1),
             ',' => (Token::Comma, 1),
@@ -71,6 +100,18 @@ fn tokens(text: &str) -> Result<Vec<(Token<'_>, Range<usize>)>, ExpressionError>
     }
     tokens.push((Token::End, text.trim_end().len()..text.trim_end().len()));
     Ok(tokens)
+}
+
+/// The place of the name in the brackets that open at the start of `rest`, without the space around it.
+fn bracketed(rest: &str, at: usize) -> Result<Range<usize>, ExpressionError> {
+    let close = rest.find(']').ok_or_else(|| error(at..at + 1, "this bracket is not closed"))?;
+    let inside = &rest[1..close];
+    let name = inside.trim();
+    if name.is_empty() || name.contains('[') {
+        return Err(error(at..at + close + 1, "there is no name of a value in these brackets"));
+    }
+    let start = at + 1 + (inside.len() - inside.trim_start().len());
+    Ok(start..start + name.len())
 }
 
 fn unknown_character(character: char, at: usize) -> ExpressionError {
@@ -123,6 +164,7 @@ fn number(rest: &str, at: usize) -> Result<(Token<'_>, usize), ExpressionError> 
 struct Parser<'a> {
     text: &'a str,
     tokens: Vec<(Token<'a>, Range<usize>)>,
+    variables: Variables,
     at: usize,
 }
 
@@ -171,6 +213,7 @@ impl<'a> Parser<'a> {
         match token {
             Token::Number(value) => Ok(Node::Number(value, written.to_owned())),
             Token::Name(name) => self.name(name, range, depth),
+            Token::Bracketed(index) => Ok(Node::Variable(index, written.to_owned())),
             Token::Operator(Operator::Subtract) => Ok(Node::Negated(Box::new(self.expression(SIGN, depth + 1)?))),
             Token::Operator(Operator::Add) => self.expression(SIGN, depth + 1),
             Token::Open => {
@@ -194,7 +237,7 @@ impl<'a> Parser<'a> {
     }
 
     fn name(&mut self, name: &'a str, range: Range<usize>, depth: usize) -> Result<Node, ExpressionError> {
-        if let Some(index) = variable(name) {
+        if let Some(index) = variable(name).filter(|_| self.variables == Variables::Coordinates) {
             return Ok(Node::Variable(index, latex_variable(name)));
         }
         if let Some(&(_, latex, value)) = CONSTANTS.iter().find(|constant| constant.0 == name.to_lowercase()) {
@@ -218,7 +261,7 @@ impl<'a> Parser<'a> {
             return Ok(Node::Binary(function, Box::new(first), Box::new(second)));
         }
         let mut unknown = error(range, format!("there is no `{name}`"));
-        unknown.suggestion = suggestion(name);
+        unknown.suggestion = suggestion(name, self.variables);
         Err(unknown)
     }
 
@@ -251,7 +294,7 @@ fn latex_variable(name: &str) -> String {
 
 /// The known name nearest to `name`; other languages' names first, which no measure of likeness
 /// finds.
-fn suggestion(name: &str) -> Option<String> {
+fn suggestion(name: &str, variables: Variables) -> Option<String> {
     let alias = match name.to_lowercase().as_str() {
         "sine" => Some("sin"),
         "cosine" => Some("cos"),
@@ -260,9 +303,12 @@ fn suggestion(name: &str) -> Option<String> {
         "arcsin" => Some("asin"),
         "arccos" => Some("acos"),
         "power" => Some("pow"),
+        "phi" | "cdf" => Some("normal_cdf"),
+        "fact" => Some("factorial"),
         _ => None,
     };
     let names = UNARIES.iter().map(|function| function.name).chain(BINARIES.iter().map(|function| function.name));
-    let names = names.chain(CONSTANTS.iter().map(|constant| constant.0)).chain(["x", "y", "z"]);
+    let coordinates: &[&str] = if variables == Variables::Coordinates { &["x", "y", "z"] } else { &[] };
+    let names = names.chain(CONSTANTS.iter().map(|constant| constant.0)).chain(coordinates.iter().copied());
     alias.or_else(|| nearest(name, names)).map(str::to_owned)
 }

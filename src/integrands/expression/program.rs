@@ -38,11 +38,15 @@ enum Step {
 impl Expression {
     /// Reads and compiles `text`.
     pub fn parse(text: &str) -> Result<Self, ExpressionError> {
-        let tree = parser::parse(text)?;
+        Ok(Self::compiled(parser::parse(text)?))
+    }
+
+    /// The program of `tree`.
+    pub(super) fn compiled(tree: Node) -> Self {
         let mut steps = Vec::new();
         let depth = compile(&tree, &mut steps);
         let highest = steps.iter().map(|step| if let Step::Variable(index) = step { index + 1 } else { 0 }).max();
-        Ok(Self(Arc::new(Compiled { tree, steps, dimensions: highest.unwrap_or(0), depth })))
+        Self(Arc::new(Compiled { tree, steps, dimensions: highest.unwrap_or(0), depth }))
     }
 
     /// The highest variable that it names: the dimensions that it needs.
