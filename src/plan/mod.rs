@@ -2,6 +2,7 @@
 //! nothing is told. Later stages cannot see the raw form.
 
 mod bibliography;
+mod changed;
 mod claim;
 mod exhibit;
 mod format;
@@ -20,6 +21,7 @@ use crate::parse::{Chapter, Course, Node};
 use crate::workspace::Workspace;
 
 pub use bibliography::Bibliography;
+pub use changed::{Change, Changed};
 pub use claim::{Bound, Claim, Literal};
 pub use format::Format;
 pub(crate) use format::{escape, minus};
