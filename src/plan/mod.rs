@@ -3,6 +3,7 @@
 
 mod amount;
 mod bibliography;
+mod changed;
 mod claim;
 mod exhibit;
 mod format;
@@ -24,6 +25,7 @@ use crate::workspace::Workspace;
 
 pub use amount::{Amount, Settled};
 pub use bibliography::Bibliography;
+pub use changed::{Change, Changed};
 pub use claim::{Bound, Claim, Literal};
 pub use format::Format;
 pub(crate) use format::{escape, minus};
