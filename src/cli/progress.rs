@@ -41,7 +41,7 @@ impl Observer for Progress<'_> {
 
     fn started(&self, job: &Job) {
         if let Some(bar) = &self.bar {
-            bar.set_message(job.ids.join(", "));
+            bar.set_message(names(&job.ids));
         }
     }
 
@@ -53,7 +53,7 @@ impl Observer for Progress<'_> {
         let due = self.due.load(Ordering::Relaxed);
         match &self.bar {
             Some(bar) => bar.inc(1),
-            None => say(&format!("ran {} ({done} of {due}, {:.0?})", ran.ids.join(", "), ran.time), self.options),
+            None => say(&format!("ran {} ({done} of {due}, {:.0?})", names(&ran.ids), ran.time), self.options),
         }
         if done == due
             && let Some(bar) = &self.bar
@@ -61,4 +61,9 @@ impl Observer for Progress<'_> {
             bar.finish_and_clear();
         }
     }
+}
+
+/// The exhibits that show an experiment, in words.
+fn names(ids: &[String]) -> String {
+    if ids.is_empty() { "the changed experiment".to_owned() } else { ids.join(", ") }
 }

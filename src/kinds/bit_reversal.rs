@@ -135,7 +135,7 @@ mod drawing {
 
     pub(super) fn draw(p: &BitReversal, data: &Data) -> Drawing {
         let mut table = Table::new(vec![
-            Column::right("$n$"),
+            Column::right("$i$"),
             Column::right("Bits"),
             Column::left("Reversed"),
             Column::right("Bit reversal"),

@@ -170,7 +170,7 @@ mod drawing {
             }
         }
         let word = |x: f64, text: &str| Note::new((x, 1.15), text).corner(Corner::Centre).role(Role::Axis);
-        panel.with(word(-wide / 2.0, "*n*")).with(word(wide / 2.0, "Φ(*n*)"))
+        panel.with(word(-wide / 2.0, "*i*")).with(word(wide / 2.0, "Φ(*i*)"))
     }
 
     fn power(base: usize, exponent: i32) -> String {
@@ -181,7 +181,7 @@ mod drawing {
         let (n, base) = (p.index, p.base);
         let digits: String = data.digits.iter().rev().map(|&digit| written(digit)).collect();
         let Some(last) = moved.checked_sub(1) else {
-            return format!("$n = {n}$ in base {base} is {digits}. Its digits will be reflected at the point.");
+            return format!("$i = {n}$ in base {base} is {digits}. Its digits will be reflected at the point.");
         };
         let (digit, place) = (data.digits.get(last).copied().unwrap_or(0), base.pow(moved as u32));
         let sum = data.numerators.get(last).copied().unwrap_or(0);

@@ -120,11 +120,11 @@ mod drawing {
     use crate::chart::{Cell, Column, Drawing, Table};
 
     pub(super) fn draw(p: &Digits, data: &Data) -> Drawing {
-        let mut columns = vec![Column::right("$n$")];
+        let mut columns = vec![Column::right("$i$")];
         for base in &p.bases {
             columns.push(Column::right(format!("Base {base}")));
             columns.push(Column::left("Reflected"));
-            columns.push(Column::left(format!("$\\Phi_{{{base}}}(n)$")));
+            columns.push(Column::left(format!("$\\Phi_{{{base}}}(i)$")));
             columns.extend((p.decimals > 0).then(|| Column::right("")));
         }
         let mut table = Table::new(columns);

@@ -17,7 +17,7 @@ use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::{About, Paper};
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::metrics::measure;
-use crate::parameters::{Counts, parameters};
+use crate::parameters::{Counts, choices, parameters};
 use crate::samplers::Method;
 use crate::samplers::halton::PRIMES;
 use crate::seed::Seed;
@@ -44,6 +44,16 @@ static ABOUT: About = About {
     }],
 };
 
+choices! {
+    /// How the values are shown.
+    pub enum Form {
+        /// As lines over N.
+        Figure = "figure",
+        /// As a table: a row for each sampler, a column for each N.
+        Table = "table",
+    }
+}
+
 parameters! {
     /// What a study of discrepancy can choose.
     pub struct Discrepancy {
@@ -57,6 +67,8 @@ parameters! {
         dimensions: usize [in 1..=16] = 2,
         /// Over how many independent sets each random method is measured.
         replicates: usize [in 1..=100_000] = 16,
+        /// Whether a figure or a table is made.
+        @drawn form: Form = "figure",
         /// The slopes of the reference lines beside the data; through the largest first value.
         @drawn slopes: Vec<f64> [in -10.0..=0.0] = [-0.5, -1],
         /// Whether the proven bounds and the exact expectations are drawn.
@@ -262,15 +274,38 @@ fn extremes(data: &Data) -> Option<(End<'_>, End<'_>)> {
 }
 
 mod drawing {
-    //! The drawing of a measure over N, and its words.
+    //! The drawing or the table of a measure over N, and its words.
 
     use std::fmt::Write as _;
 
-    use super::{Curve, Data, Discrepancy, Mark, extremes};
+    use super::{Curve, Data, Discrepancy, Form, Mark, extremes};
     use crate::chart::number::{fixed, integer, shortest, significant};
-    use crate::chart::{Axis, Band, Chart, ChartError, Dash, Drawing, ErrorBars, Layer, Line, Panel, Sheet, Style};
+    use crate::chart::{
+        Axis, Band, Cell, Chart, ChartError, Column, Dash, Drawing, ErrorBars, Layer, Line, Panel, Sheet, Style, Table,
+    };
 
     pub(super) fn draw(p: &Discrepancy, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
+        match p.form {
+            Form::Figure => figure(p, data, sheet),
+            Form::Table => Ok(Drawing::Table(table(p, data))),
+        }
+    }
+
+    /// A row for each sampler: its values over N, and the slope of the line through them.
+    fn table(p: &Discrepancy, data: &Data) -> Table {
+        let mut columns = vec![Column::left("Sampler")];
+        columns.extend(p.n.iter().map(|n| Column::right(format!("$N = {n}$"))));
+        columns.push(Column::right("Slope"));
+        let mut table = Table::new(columns);
+        for curve in &data.curves {
+            let values = curve.marks.iter().map(|mark| Cell::significant(mark.mean, 3));
+            let slope = curve.fit.map_or(Cell::Empty, |(slope, _)| Cell::fixed(slope, 2));
+            table.push([Cell::text(curve.title.as_str())].into_iter().chain(values).chain([slope]));
+        }
+        table
+    }
+
+    fn figure(p: &Discrepancy, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let zero = data.curves.iter().all(|curve| curve.marks.iter().any(|mark| mark.mean <= 0.0));
         let linear = p.measure.key() == "t-value" || zero;
         let title = title(p);

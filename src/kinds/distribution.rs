@@ -87,7 +87,7 @@ pub struct Data {
     distribution: Vec<f64>,
     /// The mass of a written density before it is made 1, with a bound on its error.
     mass: Option<(f64, f64)>,
-    /// F(a) and F(b).
+    /// P(a) and P(b).
     heights: (f64, f64),
     measured: f64,
     measured_error: f64,
@@ -316,24 +316,24 @@ mod drawing {
             Line::new(vec![(from, y), (x, y), (x, 0.0)]).style(Style::MUTED.dash(Dash::Dashed)).width(1.0)
         };
         let difference = Line::new(vec![(from, low), (from, high)]).style(Style::ACCENT).width(5.0);
-        axes(p, Axis::linear("distribution *F*(*x*)").range(0.0, 1.04))
+        axes(p, Axis::linear("distribution *P*(*x*)").range(0.0, 1.04))
             .title(format!("{} − {} = {}", fixed(high, 4), fixed(low, 4), fixed(high - low, 4)))
             .with(guide(a, low))
             .with(guide(b, high))
             .with(Line::new(distribution).style(Style::new(Role::Blue)))
             .with(difference)
-            .with(Note::new((from, low), " *F*(*a*)").corner(Corner::BelowRight))
-            .with(Note::new((from, high), " *F*(*b*)").corner(Corner::AboveRight))
+            .with(Note::new((from, low), " *P*(*a*)").corner(Corner::BelowRight))
+            .with(Note::new((from, high), " *P*(*b*)").corner(Corner::AboveRight))
     }
 
-    /// The distribution function with arrows from u to x.
+    /// The distribution function with arrows from ξ to x.
     fn arrows(p: &Distribution, data: &Data, distribution: Curve) -> Panel {
         let (from, to, ..) = p.ends();
         let shown = || data.arrows.iter().filter(|arrow| (from..=to).contains(&arrow.1));
         let arrow = |&(u, x): &(f64, f64)| Line::new(vec![(from, u), (x, u), (x, 0.0)]).style(Style::ACCENT).faint();
         let tips: Curve = shown().map(|&(_, x)| (x, 0.018)).collect();
-        axes(p, Axis::linear("*u* = *F*(*x*)").range(0.0, 1.04))
-            .title(format!("{} numbers *u* become samples *x*", p.arrows))
+        axes(p, Axis::linear("ξ = *P*(*x*)").range(0.0, 1.04))
+            .title(format!("{} numbers ξ become samples *x*", p.arrows))
             .with_all(shown().map(arrow))
             .with(Line::new(distribution).style(Style::new(Role::Blue)))
             .with(Marks::new(tips).style(Style::ACCENT.marker(Marker::Down)).size(7.0))
@@ -374,7 +374,7 @@ mod drawing {
             Show::Inversion => {
                 let _ = write!(
                     text,
-                    " Arrows lead from {} numbers u across to the distribution function and down to x. The histogram of {} samples follows the density",
+                    " Arrows lead from {} numbers ξ across to the distribution function and down to x. The histogram of {} samples follows the density",
                     p.arrows,
                     integer(p.n as i64),
                 );

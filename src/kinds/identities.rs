@@ -203,12 +203,12 @@ mod drawing {
     /// An identity, and what it needs.
     fn formula(name: &str) -> &'static str {
         match name {
-            "scaled-mean" => "E[aY_1]=a\\,E[Y_1]",
-            "mean-of-sum" => "E[Y_1+Y_2]=E[Y_1]+E[Y_2]",
-            "scaled-variance" => "V[aY_1]=a^2\\,V[Y_1]",
-            "variance" => "V[Y_1]=E[Y_1^2]-E[Y_1]^2",
-            "independent-sum" => "V[Y_1+Y_2]=V[Y_1]+V[Y_2]\\text{ if independent}",
-            _ => "V[Y_1+Y_2]=V[Y_1]+V[Y_2]+2\\,\\mathrm{Cov}[Y_1,Y_2]",
+            "scaled-mean" => "\\mathrm{E}[aY_1]=a\\,\\mathrm{E}[Y_1]",
+            "mean-of-sum" => "\\mathrm{E}[Y_1+Y_2]=\\mathrm{E}[Y_1]+\\mathrm{E}[Y_2]",
+            "scaled-variance" => "\\mathrm{V}[aY_1]=a^2\\,\\mathrm{V}[Y_1]",
+            "variance" => "\\mathrm{V}[Y_1]=\\mathrm{E}[Y_1^2]-\\mathrm{E}[Y_1]^2",
+            "independent-sum" => "\\mathrm{V}[Y_1+Y_2]=\\mathrm{V}[Y_1]+\\mathrm{V}[Y_2]\\text{ if independent}",
+            _ => "\\mathrm{V}[Y_1+Y_2]=\\mathrm{V}[Y_1]+\\mathrm{V}[Y_2]+2\\,\\mathrm{Cov}[Y_1,Y_2]",
         }
     }
 
@@ -234,7 +234,7 @@ mod drawing {
         }
         if let Some(row) = data.rows.last() {
             table.push([
-                Cell::Math("V[Y_1]+V[Y_2]\\text{ if dependent (wrong)}".to_owned()),
+                Cell::Math("\\mathrm{V}[Y_1]+\\mathrm{V}[Y_2]\\text{ if dependent (wrong)}".to_owned()),
                 Cell::estimate(row.measured, row.error),
                 Cell::fixed(data.ignorant, places(row.error)),
                 Cell::fixed((row.measured - data.ignorant) / row.error, 1),

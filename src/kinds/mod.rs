@@ -3,8 +3,8 @@
 //! To add a kind, write its file and add its two lines here: its module and its place in [`KINDS`]. Nothing else knows the
 //! kinds by name; the checks, the key, the lists, the schema and the book find them in the catalogue. The folder `experiment`
 //! holds the interface. What several kinds share: `estimation` runs many estimates, `placing` and `measuring` make and measure
-//! point sets, `radical` has digits, `worst_box` the extremal box, `imaging` renders, `bugs` is the catalogue of planted bugs, and
-//! `steps` is what the kinds have in common that a reader steps through.
+//! point sets, `radical` has digits, `worst_box` the extremal box, `imaging` renders, `bugs` is the catalogue of planted bugs,
+//! `point_bugs` that of mistakes in placing points, and `steps` is what the kinds have in common that a reader steps through.
 
 mod averaging;
 mod bias;
@@ -45,6 +45,8 @@ mod owen_steps;
 mod padding_steps;
 mod pi_steps;
 mod placing;
+mod point_bug;
+mod point_bugs;
 mod points;
 mod projections;
 mod quadrature;
@@ -116,6 +118,7 @@ pub static KINDS: &[&dyn AnyKind] = &[
     &worked_path::WORKED_PATH,
     &bug::BUG,
     &bug_matrix::BUG_MATRIX,
+    &point_bug::POINT_BUG,
 ];
 
 /// The kind whose key is `key`.

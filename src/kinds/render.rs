@@ -10,12 +10,12 @@ use serde::{Deserialize, Serialize};
 
 use rayon::prelude::*;
 
-use super::imaging::{self, Errors, RINGS, Randomisation, Reference};
+use super::imaging::{self, Errors, RINGS, Radial, Randomisation, Reference, ZoneError, Zones};
 use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
-use crate::parameters::{Counts, choices, parameters};
+use crate::parameters::{Counts, Pair, choices, parameters};
 use crate::raster::Png;
 use crate::samplers::Method;
 use crate::scenes::Scene;
@@ -74,6 +74,10 @@ parameters! {
         reference: usize [in 2..=65_536] = 256,
         /// What is shown.
         show: Vec<Show> = ["reference", "pictures"],
+        /// The columns and rows where zones begin, from the top left: the error of each is told by itself, and the differences frame it.
+        zones: Option<Vec<Pair>> [in 0..=1023],
+        /// How many columns and rows each zone has.
+        zone: Pair [in 2..=1024] = [16, 12],
         /// How many pixels of the screen each pixel takes along an axis.
         @drawn zoom: usize [in 1..=8] = 1,
     }
@@ -104,6 +108,7 @@ struct Shot {
     randomisation: String,
     padded: bool,
     errors: Errors,
+    zones: Vec<ZoneError>,
     /// What is shown of it: the picture, the differences and their spectrum.
     pictures: [Option<Png>; 3],
 }
@@ -136,6 +141,10 @@ impl Kind for RenderKind {
                 let help = "choose another sampler, count, split or randomisation".to_owned();
                 return problems.element("samplers", plan.index, Code::Combination, message, Some(help));
             }
+        }
+        if let Some(Pair(left, top)) = zones(p).outside(p.height) {
+            let message = format!("the zone at column {left}, row {top} is not within the picture");
+            problems.at("zones", Code::OutOfRange, message, Some("move it, or make `zone` smaller".to_owned()));
         }
         if self.weight(p) > MOST {
             let message = format!("{} samples in all are too many: at most {MOST}", self.weight(p));
@@ -180,12 +189,13 @@ impl Kind for RenderKind {
         let mut values = Values::new();
         values.number("mean", data.reference.0);
         values.number("reference.error", data.reference.1);
-        for Shot { name, errors, .. } in &data.shots {
+        for Shot { name, errors, zones, .. } in &data.shots {
             values.estimate(format!("rmse.{name}"), errors.rmse, errors.rmse_error.unwrap_or(f64::NAN));
             values.estimate(format!("bias.{name}"), errors.bias, errors.bias_error.unwrap_or(f64::NAN));
             values.estimate(format!("neighbours.{name}"), errors.neighbours, errors.neighbours_error);
             values.estimate(format!("low.{name}"), errors.low, errors.low_error);
             values.number(format!("peak.{name}"), errors.peak);
+            imaging::zone_values(&mut values, name, zones);
         }
         if let Some((first, others)) = data.shots.split_first() {
             for other in others.iter().filter(|other| other.errors.rmse > 0.0) {
@@ -215,7 +225,8 @@ impl Kind for RenderKind {
             .numbers("correlation of neighbours", shots().map(|shot| shot.errors.neighbours))
             .numbers("low power", shots().map(|shot| shot.errors.low))
             .numbers("largest power", shots().map(|shot| shot.errors.peak));
-        let frequencies = Frame::new("spectra").numbers("cycles a pixel", (0..RINGS).map(middle));
+        let errors = imaging::zone_columns(errors, &shots().map(|shot| &shot.zones[..]).collect::<Vec<_>>());
+        let frequencies = Frame::new("spectra").numbers("cycles a pixel", (0..RINGS).map(imaging::middle));
         let spectra = shots()
             .fold(frequencies, |frame, shot| frame.numbers(shot.name.clone(), shot.errors.rings.iter().copied()));
         vec![errors, spectra]
@@ -233,9 +244,9 @@ impl Kind for RenderKind {
 /// The most samples of one exhibit.
 const MOST: u64 = 1 << 33;
 
-/// The middle of a ring, in cycles a pixel.
-fn middle(ring: usize) -> f64 {
-    (ring as f64 + 0.5) / (2.0 * RINGS as f64)
+/// The zones that are asked for.
+fn zones(p: &Render) -> Zones<'_> {
+    Zones { corners: p.zones.as_deref().unwrap_or_default(), size: p.zone, width: p.width }
 }
 
 /// Every picture that is asked for: for each sampler each count, split and randomisation.
@@ -308,6 +319,7 @@ fn shot(p: &Render, plan: &Plan, image: &Image, reference: &Reference) -> (Shot,
         randomisation: plan.randomisation.name().to_owned(),
         padded: plan.sampling.arrange(p.scene.parts()).is_ok_and(|arrangement| arrangement.padded),
         errors,
+        zones: zones(p).errors(&differences, reference, independent),
         pictures: [const { None }; 3],
     };
     (shot, differences)
@@ -323,7 +335,7 @@ impl Shot {
         self.pictures = [
             shown(Show::Pictures, &|| image.bytes())?,
             shown(Show::Differences, &|| {
-                differences.iter().flat_map(|difference| imaging::signed(difference / full)).collect()
+                zones(p).framed(differences.iter().flat_map(|difference| imaging::signed(difference / full)).collect())
             })?,
             shown(Show::Spectra, &|| imaging::spectrum(&self.errors.powers, size))?,
         ];
@@ -336,10 +348,9 @@ mod drawing {
 
     use std::fmt::Write as _;
 
-    use super::{Data, Png, Render, Shot, Show, middle};
+    use super::{Data, Png, Radial, Render, Shot, Show, imaging};
     use crate::chart::number::{fixed, significant};
-    use crate::chart::{Axis, Chart, ChartError, Dash, Drawing, Figure, Line, Marker, Panel, Picture, Pictures, Role};
-    use crate::chart::{Rule, Sheet, Style};
+    use crate::chart::{ChartError, Drawing, Figure, Picture, Pictures, Sheet};
 
     pub(super) fn draw(p: &Render, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let mut items = Vec::new();
@@ -397,22 +408,12 @@ mod drawing {
 
     /// The radial means of the spectra.
     fn radial(data: &Data, sheet: &Sheet) -> Result<Figure, ChartError> {
-        const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDot, Dash::Long];
-        const MARKERS: [Marker; 4] = [Marker::Disc, Marker::Square, Marker::Up, Marker::Diamond];
-        const ROLES: [Role; 4] = [Role::Vermilion, Role::Blue, Role::Green, Role::Purple];
-        let line = |(index, shot): (usize, &Shot)| {
-            let rings = shot.errors.rings.iter().enumerate();
-            let points = rings.filter(|(_, power)| **power > 0.0).map(|(ring, &power)| (middle(ring), power));
-            // Shots of one method differ in something else, and need styles of their own.
-            let alone = data.shots.iter().filter(|other| other.method == shot.method).count() == 1;
-            let own = Style { role: ROLES[index % 4], dash: DASHES[index % 4], marker: MARKERS[index % 4] };
-            let style = if alone { Style::of(&shot.method) } else { own };
-            Line::new(points.collect()).style(style).marked().label(shot.title.as_str())
-        };
-        let flat = Rule::horizontal(1.0).style(Style::THEORY).label("independent pixels");
-        let panel = Panel::new(Axis::linear("frequency in cycles a pixel").range(0.0, 0.5), Axis::log("mean power"));
-        let panel = panel.ratio(0.5).with(flat).with_all(data.shots.iter().enumerate().map(line));
-        Chart::new(panel).draw(sheet)
+        let lines = data.shots.iter().map(|shot| Radial {
+            title: &shot.title,
+            method: &shot.method,
+            rings: &shot.errors.rings,
+        });
+        imaging::radial(&lines.collect::<Vec<_>>(), sheet)
     }
 
     pub(super) fn alt(p: &Render, data: &Data) -> Option<String> {

@@ -106,10 +106,10 @@ mod drawing {
     pub(super) fn draw(p: &VanDerCorputTable, data: &Data) -> Drawing {
         let base = p.base;
         let mut table = Table::new(vec![
-            Column::right("$n$"),
-            Column::right(format!("$n$ in base {base}")),
+            Column::right("$i$"),
+            Column::right(format!("$i$ in base {base}")),
             Column::left("Reflected"),
-            Column::left(format!("$\\Phi_{{{base}}}(n)$")),
+            Column::left(format!("$\\Phi_{{{base}}}(i)$")),
         ]);
         for row in &data.rows {
             table.push([

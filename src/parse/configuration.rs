@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use toml::de::DeValue;
 
+use super::landing::{self, Passage};
 use super::source_map::SourceMap;
 use super::toml_text;
 use crate::catalogue::nearest;
@@ -91,6 +92,8 @@ pub struct Configuration {
     pub typed_numbers: Option<Severity>,
     /// The seed of every experiment that does not give its own.
     pub seed: u64,
+    /// What the landing page says of the course.
+    pub landing: Vec<Passage>,
     /// LaTeX macros: name to replacement.
     pub macros: BTreeMap<String, String>,
 }
@@ -121,7 +124,8 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
         configuration.seed = seed;
     }
     configuration.macros = read_macros(&mut fields);
-    let known: Vec<&str> = Head::docs().iter().map(|doc| doc.name).chain(["defaults", "math"]).collect();
+    configuration.landing = landing::read(&mut fields, source, workspace, diagnostics);
+    let known: Vec<&str> = Head::docs().iter().map(|doc| doc.name).chain(["defaults", "landing", "math"]).collect();
     fields.finish(&known);
     diagnostics.extend(fields.complaints.into_iter().map(|complaint| located(complaint, source)));
     check_bibliography(&configuration, workspace, source, diagnostics);

@@ -10,6 +10,7 @@ use super::fence::Fence;
 use super::inline::Run;
 use super::node::{CalloutKind, Formula, Label, Node, What};
 use super::source_map::SourceMap;
+use super::term::{self, Brackets};
 use crate::diag::{Code, Diagnostic};
 use crate::workspace::{CHAPTERS, Source, Workspace};
 
@@ -78,6 +79,20 @@ pub fn inline(
     reader.content.nodes
 }
 
+/// Reads markdown that stands outside of chapters into nodes, its paragraphs and lists included.
+pub(super) fn passage(
+    text: &str,
+    file: &Arc<str>,
+    map: SourceMap,
+    workspace: &Workspace,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Node> {
+    let events = Parser::new_ext(text, parser_options()).into_offset_iter().collect();
+    let mut reader = Reader::new(text, events, file, map, workspace, diagnostics);
+    reader.run();
+    reader.content.nodes
+}
+
 /// The state of the walk.
 pub(super) struct Reader<'a, 'w> {
     /// The text that the events were read from.
@@ -96,6 +111,8 @@ pub(super) struct Reader<'a, 'w> {
     pub(super) links: usize,
     /// Whether a paragraph is open.
     paragraph: bool,
+    /// The brackets in the text of the block being read.
+    pub(super) brackets: Brackets,
     /// Text that was looked at to see whether a quote is a callout, and is yet to be read.
     pub(super) pending: Option<Run>,
 }
@@ -123,6 +140,7 @@ impl<'a, 'w> Reader<'a, 'w> {
             quotes: Vec::new(),
             links: 0,
             paragraph: false,
+            brackets: Brackets::default(),
             pending: None,
         }
     }
@@ -155,6 +173,12 @@ impl<'a, 'w> Reader<'a, 'w> {
             What::Markdown(Event::End(TagEnd::Paragraph)) => self.paragraph = false,
             _ => {}
         }
+        if matches!(
+            what,
+            What::Markdown(Event::Start(Tag::Paragraph | Tag::Heading { .. } | Tag::Item | Tag::TableCell))
+        ) {
+            self.brackets = Brackets::default();
+        }
         self.content.nodes.push(Node { what, range: self.map.range(range) });
     }
 
@@ -169,10 +193,15 @@ impl<'a, 'w> Reader<'a, 'w> {
             Tag::BlockQuote(kind) => self.quote(kind, range),
             Tag::Image { link_type, dest_url, title, id } => self.image(link_type, &dest_url, title, id, range),
             Tag::HtmlBlock => {}
-            tag => {
-                self.links += usize::from(matches!(tag, Tag::Link { .. }));
+            Tag::Link { link_type, dest_url, title, id } => {
+                if let Some((defines, key)) = term::address(link_type, &dest_url) {
+                    return self.term(defines, key, &title, range);
+                }
+                self.links += 1;
+                let tag = Tag::Link { link_type, dest_url, title, id };
                 self.push(What::Markdown(Event::Start(tag).into_static()), range);
             }
+            tag => self.push(What::Markdown(Event::Start(tag).into_static()), range),
         }
     }
 
@@ -266,10 +295,11 @@ impl<'a, 'w> Reader<'a, 'w> {
     /// A picture of the course: it needs words for those who cannot see it, and a file.
     fn image(&mut self, link_type: LinkType, url: &str, title: CowStr<'a>, id: CowStr<'a>, range: Range<usize>) {
         let mut alt = String::new();
-        for (event, _) in self.events.by_ref() {
+        while let Some((event, at)) = self.events.next() {
             match event {
                 Event::Text(text) | Event::Code(text) => alt.push_str(&text),
                 Event::SoftBreak => alt.push(' '),
+                Event::Start(Tag::Link { link_type, dest_url, .. }) => self.no_term(link_type, &dest_url, at),
                 Event::End(TagEnd::Image) => break,
                 _ => {}
             }

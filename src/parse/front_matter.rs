@@ -16,16 +16,29 @@ parameters! {
         title: String,
         /// What the chapter is about, in a sentence.
         summary: String,
+        /// The exhibit whose drawing stands for the chapter on the landing page.
+        picture: Option<String>,
     }
 }
 
-/// A chapter's title and summary.
+/// An exhibit that is named, and the place of its name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Chosen {
+    /// The exhibit's id.
+    pub id: String,
+    /// Where it stands in the chapter's file.
+    pub range: Range<usize>,
+}
+
+/// A chapter's title and summary, and what stands for it.
 #[derive(Debug, Clone, Default)]
 pub struct FrontMatter {
     /// The chapter's title.
     pub title: String,
     /// What the chapter is about, in a sentence.
     pub summary: String,
+    /// The exhibit whose drawing stands for the chapter; else it is the first that has one.
+    pub picture: Option<Chosen>,
     /// The numbers in its text that are given.
     pub given: Vec<Given>,
 }
@@ -41,17 +54,23 @@ pub(super) fn read(range: Option<Range<usize>>, source: &Source, diagnostics: &m
     let table = toml_text::table(&source.text[range], &source.path, &map, diagnostics);
     let mut fields = Fields::plain(table.get_ref());
     let written = Written::read(&mut fields);
+    let place = map.range(fields.place("picture"));
     let mut given = given::read(&mut fields);
     for given in &mut given {
         given.range = map.range(given.range.clone());
     }
-    fields.finish(&["title", "summary", "given"]);
+    fields.finish(&["title", "summary", "picture", "given"]);
     for complaint in fields.complaints {
         let mut diagnostic =
             Diagnostic::error(complaint.code, complaint.message).at(&source.path, map.range(complaint.range));
         diagnostic.help = complaint.help;
         diagnostics.push(diagnostic);
     }
-    let (title, summary) = written.map(|written| (written.title, written.summary)).unwrap_or_default();
-    FrontMatter { title, summary, given }
+    let picture = |id| Chosen { id, range: place };
+    written.map_or_else(FrontMatter::default, |written| FrontMatter {
+        title: written.title,
+        summary: written.summary,
+        picture: written.picture.map(picture),
+        given,
+    })
 }

@@ -17,13 +17,13 @@ pub(super) struct Run {
     pub(super) text: String,
     map: SourceMap,
     /// Where a backslash stood: the character behind it is meant as it stands.
-    escaped: Vec<usize>,
+    pub(super) escaped: Vec<usize>,
     end: usize,
 }
 
 impl Run {
     /// The bytes of the parsed text behind bytes of the run.
-    fn range(&self, range: Range<usize>) -> Range<usize> {
+    pub(super) fn range(&self, range: Range<usize>) -> Range<usize> {
         self.map.range(range)
     }
 
@@ -51,6 +51,7 @@ impl<'a> Reader<'a, '_> {
         }
         let run = self.gather(&text, range);
         self.unread_formula(&run);
+        self.unread_term(&run);
         self.scan(&run);
     }
 

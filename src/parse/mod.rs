@@ -10,8 +10,10 @@ mod fence;
 mod front_matter;
 mod given;
 mod inline;
+mod landing;
 mod node;
 mod source_map;
+mod term;
 mod toml_text;
 mod value;
 
@@ -23,9 +25,10 @@ use crate::workspace::{self, Workspace};
 pub use configuration::Configuration;
 pub use events::{inline as caption, parser_options};
 pub use fence::Fence;
-pub use front_matter::FrontMatter;
+pub use front_matter::{Chosen, FrontMatter};
 pub use given::Given;
-pub use node::{Callout, CalloutKind, Cited, Computed, Formula, Label, Node, ValueUse, What};
+pub use landing::Passage;
+pub use node::{Callout, CalloutKind, Cited, Computed, Formula, Label, Node, Term, ValueUse, What};
 pub use source_map::SourceMap;
 pub use toml_text::table;
 
@@ -76,7 +79,7 @@ pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
 }
 
 /// The pages that the book makes of itself: no chapter can have their names.
-pub const OWN_PAGES: [&str; 4] = ["index", "exhibits", "kinds", "bibliography"];
+pub const OWN_PAGES: [&str; 5] = ["index", "exhibits", "terms", "kinds", "bibliography"];
 
 /// Complains of chapters whose pages would take each other's place, or that of a page of the book.
 fn check_slugs(chapters: &[Chapter], diagnostics: &mut Vec<Diagnostic>) {

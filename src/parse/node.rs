@@ -40,6 +40,8 @@ pub enum What {
     Computed(Computed),
     /// A reference to a label anywhere in the book.
     Reference(String),
+    /// A term where it is defined, or where it is used.
+    Term(Term),
     /// Citations in one pair of brackets.
     Citation(Vec<Cited>),
     /// The start of a callout.
@@ -93,6 +95,19 @@ impl Computed {
     pub fn place(&self, range: &Range<usize>, piece: &Range<usize>) -> Range<usize> {
         self.start.map_or(piece.clone(), |start| start + range.start..start + range.end)
     }
+}
+
+/// A word of the subject: a link to `define:` or `term:`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Term {
+    /// Whether it is defined here.
+    pub defines: bool,
+    /// What stands behind the colon of its address; may be empty.
+    pub key: String,
+    /// The title of its link, which then is the head-word; may be empty.
+    pub title: String,
+    /// What a reader sees.
+    pub words: Vec<Node>,
 }
 
 /// One work of a citation.

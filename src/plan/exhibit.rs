@@ -26,7 +26,12 @@ pub(super) fn read_all(
 }
 
 /// Reads one fence; `None` if anything is wrong, and then all that is wrong has been told.
-fn read(fence: &Fence, reading: &Reading<'_>, seen: &mut Seen, diagnostics: &mut Vec<Diagnostic>) -> Option<Exhibit> {
+pub(super) fn read(
+    fence: &Fence,
+    reading: &Reading<'_>,
+    seen: &mut Seen,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Exhibit> {
     let file = &reading.chapter.file;
     let before = diagnostics.len();
     let table = parse::table(&fence.text, file, &fence.map, diagnostics);

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use pulldown_cmark::{Event, Tag, TagEnd};
 
 use super::Plan;
+use super::slug::slug;
 use crate::diag::{Code, Diagnostic, Place};
 use crate::parse::{CalloutKind, Chapter, Course, Label, Node, What};
 
@@ -228,7 +229,8 @@ impl Numbering<'_> {
             let error = Diagnostic::error(Code::DuplicateId, format!("the id `{id}` is used twice on this page"));
             self.diagnostics.push(error.at_place(&self.place(node.range.clone())).help("give one of them another id"));
         }
-        let id = id.map_or_else(|| self.free_id(&slug(&self.chapter.content.nodes[at + 1..end])), str::to_owned);
+        let id =
+            id.map_or_else(|| self.free_id(&heading_slug(&self.chapter.content.nodes[at + 1..end])), str::to_owned);
         if id.starts_with("sec-") {
             self.define(&id, LabelKind::Section, number.clone(), self.place(node.range.clone()));
         }
@@ -318,21 +320,10 @@ fn kind_word(kind: LabelKind) -> String {
 }
 
 /// The text of a heading as an id: lower-case letters and digits, joined by hyphens.
-fn slug(nodes: &[Node]) -> String {
-    let mut slug = String::new();
-    for node in nodes {
-        let text = match &node.what {
-            What::Markdown(Event::Text(text) | Event::Code(text)) => text,
-            _ => " ",
-        };
-        for c in text.chars() {
-            if c.is_alphanumeric() {
-                slug.extend(c.to_lowercase());
-            } else if !slug.ends_with('-') && !slug.is_empty() {
-                slug.push('-');
-            }
-        }
-    }
-    let slug = slug.trim_end_matches('-');
-    if slug.is_empty() { "section".to_owned() } else { slug.to_owned() }
+fn heading_slug(nodes: &[Node]) -> String {
+    let slug = slug(nodes.iter().map(|node| match &node.what {
+        What::Markdown(Event::Text(text) | Event::Code(text)) => text,
+        _ => " ",
+    }));
+    if slug.is_empty() { "section".to_owned() } else { slug }
 }

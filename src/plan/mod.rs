@@ -3,6 +3,7 @@
 
 mod amount;
 mod bibliography;
+mod changed;
 mod claim;
 mod exhibit;
 mod format;
@@ -13,6 +14,8 @@ mod listing;
 mod literal;
 mod references;
 mod seen;
+mod slug;
+pub mod terms;
 mod typed;
 
 use std::sync::Arc;
@@ -24,6 +27,7 @@ use crate::workspace::Workspace;
 
 pub use amount::{Amount, Settled};
 pub use bibliography::Bibliography;
+pub use changed::{Change, Changed};
 pub use claim::{Bound, Claim, Literal};
 pub use format::Format;
 pub(crate) use format::{escape, minus};
@@ -32,6 +36,7 @@ pub use labels::{LabelKind, Labels, Section, Target};
 pub use listing::Listing;
 pub use references::address;
 pub use seen::Seen;
+pub use terms::Terms;
 
 /// All that is due for a book.
 pub struct Plan {
@@ -41,6 +46,8 @@ pub struct Plan {
     pub listings: Vec<Listing>,
     /// What every label names.
     pub labels: Labels,
+    /// The terms that the chapters define.
+    pub terms: Terms,
     /// The works that chapters cite.
     pub bibliography: Bibliography,
     /// What was seen of fences, the wrong ones included.
@@ -79,6 +86,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
         exhibits: Vec::new(),
         listings: Vec::new(),
         labels: Labels::default(),
+        terms: Terms::default(),
         bibliography,
         seen: Seen::default(),
         exhibit_of: Vec::new(),
@@ -90,6 +98,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
         plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut plan.seen, &mut diagnostics));
     }
     plan.labels = labels::number(course, &plan, &mut diagnostics);
+    plan.terms = terms::find(course, &plan, workspace, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
     typed::check(course, &plan, workspace, &mut diagnostics);
     (plan, diagnostics)

@@ -13,7 +13,8 @@ use super::links::{self, BadLink};
 use super::{Exhibit, Plan};
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic};
-use crate::parse::{Callout, Cited, Computed, Course, Formula, Node, ValueUse, What};
+use crate::parse::{Callout, Chosen, Cited, Computed, Course, Formula, Node, ValueUse, What};
+use crate::workspace::CONFIGURATION;
 
 /// The exhibit and the value that a name in the brackets of an expression means: `fig-a.exact` is the value `exact` of `fig-a`. In a claim
 /// a name that begins with no exhibit's id means a value of the exhibit itself, `home`.
@@ -33,6 +34,7 @@ pub(super) fn check(course: &Course, plan: &Plan, diagnostics: &mut Vec<Diagnost
     let converter = Converter::new(&course.configuration.macros, diagnostics);
     for (index, chapter) in course.chapters.iter().enumerate() {
         let mut checking = Checking { file: &chapter.file, index, course, plan, converter: &converter, diagnostics };
+        checking.picture(chapter.front.picture.as_ref());
         checking.nodes(&chapter.content.nodes);
         for exhibit in plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index) {
             checking.nodes(&exhibit.caption);
@@ -43,10 +45,16 @@ pub(super) fn check(course: &Course, plan: &Plan, diagnostics: &mut Vec<Diagnost
             checking.nodes(&listing.caption);
         }
     }
+    let (file, index) = (Arc::from(CONFIGURATION), usize::MAX);
+    let mut checking = Checking { file: &file, index, course, plan, converter: &converter, diagnostics };
+    for passage in &course.configuration.landing {
+        checking.nodes(&passage.nodes);
+    }
 }
 
 struct Checking<'a> {
     file: &'a Arc<str>,
+    /// The index of the chapter; what stands outside of chapters has one that none has.
     index: usize,
     course: &'a Course,
     plan: &'a Plan,
@@ -65,6 +73,7 @@ impl Checking<'_> {
                 What::Formula(formula) => self.formula(formula, false, &node.range),
                 What::Equation { formula, .. } => self.formula(formula, true, &node.range),
                 What::CalloutStart(Callout { title, .. }) => self.nodes(title),
+                What::Term(term) => self.nodes(&term.words),
                 What::Markdown(Event::Start(Tag::Link { dest_url, .. })) => self.link(dest_url, &node.range),
                 _ => {}
             }
@@ -75,6 +84,17 @@ impl Checking<'_> {
         let mut diagnostic = Diagnostic::error(code, message).at(self.file, range.clone());
         diagnostic.help.extend(help);
         self.diagnostics.push(diagnostic);
+    }
+
+    /// The exhibit that stands for the chapter: one of its own. Whether it has a drawing is known once it has run.
+    fn picture(&mut self, chosen: Option<&Chosen>) {
+        let Some(Chosen { id, range }) = chosen else { return };
+        let own = || self.plan.exhibits.iter().filter(|exhibit| exhibit.chapter == self.index);
+        if own().any(|exhibit| exhibit.id == *id) || self.plan.seen.is_wrong(id) {
+            return;
+        }
+        let near = nearest(id, own().map(|exhibit| exhibit.id.as_str())).map(|near| format!("did you mean `{near}`?"));
+        self.tell(Code::MissingTarget, format!("the chapter has no exhibit `{id}` to stand for it"), range, near);
     }
 
     fn reference(&mut self, id: &str, range: &Range<usize>) {
@@ -172,8 +192,10 @@ impl Checking<'_> {
         };
         // Raw HTML may have ids that the plan does not know; the finished book is checked again.
         let Some(chapter) = chapter.filter(|_| !self.course.configuration.allow_html) else { return };
-        if !self.plan.labels.stands_in(chapter, id) && !self.plan.seen.is_wrong(id) {
-            let near = nearest(id, self.plan.labels.ids_in(chapter)).map(|near| format!("did you mean `#{near}`?"));
+        let terms: Vec<String> = self.plan.terms.ids_in(chapter).collect();
+        let known = || self.plan.labels.ids_in(chapter).chain(terms.iter().map(String::as_str));
+        if !known().any(|known| known == id) && !self.plan.seen.is_wrong(id) {
+            let near = nearest(id, known()).map(|near| format!("did you mean `#{near}`?"));
             let file = &self.course.chapters[chapter].file;
             self.tell(Code::BrokenLink, format!("`{file}` has no place `#{id}`"), range, near);
         }

@@ -86,7 +86,13 @@ impl Stream {
 }
 
 impl Reading<'_> {
+    /// Reads blocks, or a line that is a block by itself.
     fn nodes(&mut self, nodes: &[Node]) {
+        self.within(nodes);
+        self.flush();
+    }
+
+    fn within(&mut self, nodes: &[Node]) {
         // Within what is not read, the tag that ends it.
         let mut silent: Option<TagEnd> = None;
         for node in nodes {
@@ -103,10 +109,10 @@ impl Reading<'_> {
                     self.flush();
                     self.nodes(title);
                 }
+                What::Term(term) => self.within(&term.words),
                 _ => self.node(node),
             }
         }
-        self.flush();
     }
 
     fn node(&mut self, node: &Node) {

@@ -9,8 +9,8 @@ use super::Rendering;
 use crate::diag::Diagnostic;
 use crate::exhibits;
 use crate::kinds::Measured;
-use crate::parse::{Callout, CalloutKind, Computed, Formula, Label, Node, ValueUse, What};
-use crate::plan::{Format, escape, links};
+use crate::parse::{Callout, CalloutKind, Computed, Formula, Label, Node, Term, ValueUse, What};
+use crate::plan::{Format, escape, links, terms};
 
 /// The character that forbids a line's break where it stands.
 const JOINER: char = '\u{2060}';
@@ -66,6 +66,11 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// A writer of what stands outside of chapters: there, everything that is referred to is on another page.
+    pub(super) fn outside(rendering: &'a Rendering<'a>) -> Self {
+        Self::new(rendering, usize::MAX)
+    }
+
     /// The whole chapter.
     pub(super) fn chapter(mut self) -> Written {
         let nodes = &self.rendering.course.chapters[self.chapter].content.nodes;
@@ -77,7 +82,7 @@ impl<'a> Writer<'a> {
         Written { body: self.out, footnotes, diagnostics: self.diagnostics }
     }
 
-    /// Nodes within a line, such as a caption.
+    /// Nodes that stand by themselves, such as a caption or a passage.
     pub(super) fn inline(mut self, nodes: &[Node]) -> (String, Vec<Diagnostic>) {
         for (at, node) in nodes.iter().enumerate() {
             self.node(node, nodes.get(at + 1));
@@ -99,6 +104,7 @@ impl<'a> Writer<'a> {
                 let keys: Vec<String> = cited.iter().map(|cited| self.rendering.citations.link(cited)).collect();
                 self.out.push_str(&keys.join(", "));
             }
+            What::Term(term) => self.term(term, next),
             What::CalloutStart(callout) => self.callout(callout),
             What::CalloutEnd(kind) => self.out.push_str(match kind {
                 kind if kind.folded() => "</details>\n",
@@ -316,6 +322,24 @@ impl<'a> Writer<'a> {
         let page = if target.chapter == self.chapter { String::new() } else { self.rendering.href(target.chapter) };
         let (word, number) = (target.kind.word(), &target.number);
         let _ = write!(self.out, "<a class=\"reference\" href=\"{page}#{id}\">{word}\u{a0}{number}</a>");
+    }
+
+    /// A term: where it is defined it has the id that its uses lead to.
+    fn term(&mut self, term: &Term, next: Option<&Node>) {
+        let key = terms::key(term);
+        let id = terms::id(&key);
+        if term.defines {
+            let _ = write!(self.out, "<dfn id=\"{id}\">");
+        } else {
+            let definition = self.rendering.plan.terms.definition(&key);
+            let other = definition.map(|definition| definition.spot.chapter).filter(|&other| other != self.chapter);
+            let page = other.map(|other| self.rendering.href(other)).unwrap_or_default();
+            let _ = write!(self.out, "<a class=\"term\" href=\"{page}#{id}\">");
+        }
+        for (at, node) in term.words.iter().enumerate() {
+            self.node(node, term.words.get(at + 1).or(next));
+        }
+        self.out.push_str(if term.defines { "</dfn>" } else { "</a>" });
     }
 
     fn callout(&mut self, callout: &Callout) {

@@ -26,6 +26,13 @@ pub(super) struct Matter {
 pub(super) const EXHIBITS: Matter =
     Matter { title: "Exhibits", href: "exhibits.html", summary: "Every figure and table of the book, with its place." };
 
+/// The index of terms, of a book that has any.
+pub(super) const TERMS: Matter = Matter {
+    title: "Index of terms",
+    href: "terms.html",
+    summary: "Every term, with the place of its definition and the sections that use it.",
+};
+
 /// The kinds of experiments.
 pub(super) const KINDS: Matter = Matter {
     title: "Kinds of experiments",
@@ -38,7 +45,13 @@ pub(super) const BIBLIOGRAPHY: Matter =
     Matter { title: "Bibliography", href: "bibliography.html", summary: "The works that the chapters cite." };
 
 /// The pages that are no chapters, in their order.
-pub(super) const MATTER: [Matter; 3] = [EXHIBITS, KINDS, BIBLIOGRAPHY];
+pub(super) const MATTER: [Matter; 4] = [EXHIBITS, TERMS, KINDS, BIBLIOGRAPHY];
+
+/// Those of them that this book has.
+pub(super) fn of(rendering: &Rendering<'_>) -> impl Iterator<Item = &'static Matter> {
+    let terms = !rendering.plan.terms.is_empty();
+    MATTER.iter().filter(move |matter| terms || matter.href != TERMS.href)
+}
 
 /// A chapter's part of the index of exhibits.
 #[derive(Serialize)]
@@ -78,16 +91,14 @@ fn thumbnail<'a>(rendering: &'a Rendering<'a>, index: usize, diagnostics: &mut V
     let (exhibit, shown) = (&rendering.plan.exhibits[index], &rendering.shown[index]);
     let (caption, complaints) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
     diagnostics.extend(complaints);
-    let is_picture = |path: &&str| [".svg", ".png"].iter().any(|end| path.ends_with(end));
-    let images = rendering.files[index].iter().map(|file| file.path.as_str()).filter(is_picture);
     Thumbnail {
         id: &exhibit.id,
         label: label(rendering, &exhibit.id),
         kind: exhibit.experiment.kind().about().key,
-        // Links within links are no HTML.
-        caption: without_links(&caption),
+        // Links within links are no HTML, and a definition stands in its chapter.
+        caption: without_marks(&caption),
         claims: shown.verdicts.len(),
-        images: images.collect(),
+        images: images(rendering, index).collect(),
         table: match &shown.drawing {
             Drawing::Table(drawn) => Some(table::html(drawn, &rendering.converter)),
             _ => None,
@@ -95,11 +106,17 @@ fn thumbnail<'a>(rendering: &'a Rendering<'a>, index: usize, diagnostics: &mut V
     }
 }
 
-/// HTML without its links' tags; their words stay.
-fn without_links(html: &str) -> String {
+/// The files of an exhibit that are pictures.
+pub(super) fn images<'a>(rendering: &'a Rendering<'_>, index: usize) -> impl Iterator<Item = &'a str> {
+    let is_picture = |path: &&str| [".svg", ".png"].iter().any(|end| path.ends_with(end));
+    rendering.files[index].iter().map(|file| file.path.as_str()).filter(is_picture)
+}
+
+/// HTML without the tags of links and definitions; their words stay.
+fn without_marks(html: &str) -> String {
     let mut out = String::with_capacity(html.len());
     let mut rest = html;
-    while let Some(at) = ["<a ", "<a>", "</a>"].iter().filter_map(|tag| rest.find(tag)).min() {
+    while let Some(at) = ["<a ", "<a>", "</a>", "<dfn ", "</dfn>"].iter().filter_map(|tag| rest.find(tag)).min() {
         out.push_str(&rest[..at]);
         rest = rest[at..].find('>').map_or("", |end| &rest[at + end + 1..]);
     }
@@ -189,8 +206,9 @@ mod tests {
     }
 
     #[test]
-    fn links_lose_their_tags_only() {
-        assert_eq!(without_links("a <a class=\"x\" href=\"y\">b</a> <abbr>c</abbr>"), "a b <abbr>c</abbr>");
-        assert_eq!(without_links("plain"), "plain");
+    fn links_and_definitions_lose_their_tags_only() {
+        let html = "a <a class=\"x\" href=\"y\">b</a> <abbr>c</abbr> <dfn id=\"term-d\"><em>d</em></dfn>";
+        assert_eq!(without_marks(html), "a b <abbr>c</abbr> <em>d</em>");
+        assert_eq!(without_marks("plain"), "plain");
     }
 }

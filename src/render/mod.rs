@@ -3,6 +3,7 @@
 mod citations;
 pub(crate) mod data;
 mod exhibit;
+mod landing;
 pub(crate) mod machine;
 mod markdown;
 mod matter;
@@ -11,6 +12,7 @@ mod pictures;
 mod stepper;
 mod table;
 mod templates;
+mod terms;
 
 use std::collections::BTreeMap;
 

@@ -4,14 +4,16 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::Rendering;
+use super::landing;
 use super::markdown::Writer;
-use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MATTER, Matter};
+use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, Matter, TERMS};
 use super::templates::ASSETS;
+use super::terms;
 use crate::diag::Diagnostic;
 
 /// What every page knows of the book.
 #[derive(Serialize)]
-struct BookContext<'a> {
+pub(super) struct BookContext<'a> {
     title: &'a str,
     subtitle: &'a str,
     summary: &'a str,
@@ -24,7 +26,7 @@ struct BookContext<'a> {
 
 /// A line of the list of chapters.
 #[derive(Serialize)]
-struct ChapterContext<'a> {
+pub(super) struct ChapterContext<'a> {
     number: usize,
     title: &'a str,
     summary: &'a str,
@@ -37,15 +39,22 @@ struct ChapterContext<'a> {
 struct MatterContext {
     title: &'static str,
     href: &'static str,
+    summary: &'static str,
+}
+
+impl From<&Matter> for MatterContext {
+    fn from(matter: &Matter) -> Self {
+        Self { title: matter.title, href: matter.href, summary: matter.summary }
+    }
 }
 
 /// What a page knows of itself.
 #[derive(Serialize)]
-struct PageContext<'a> {
-    title: &'a str,
-    number: Option<usize>,
-    summary: &'a str,
-    href: String,
+pub(super) struct PageContext<'a> {
+    pub(super) title: &'a str,
+    pub(super) number: Option<usize>,
+    pub(super) summary: &'a str,
+    pub(super) href: String,
 }
 
 /// A neighbour in the order of the book.
@@ -58,7 +67,7 @@ struct Neighbour<'a> {
 
 /// A line of a chapter's contents.
 #[derive(Serialize)]
-struct SectionContext {
+pub(super) struct SectionContext {
     id: String,
     title: String,
     number: String,
@@ -77,16 +86,6 @@ struct ChapterPage<'a> {
     footnotes: String,
 }
 
-#[derive(Serialize)]
-struct IndexPage<'a> {
-    book: BookContext<'a>,
-    page: PageContext<'a>,
-    assets: &'static str,
-    exhibit_count: usize,
-    claim_count: usize,
-    contents: Vec<SectionContext>,
-}
-
 /// A page that the book makes of itself, with what is its own.
 #[derive(Serialize)]
 struct MatterPage<'a, T> {
@@ -102,36 +101,48 @@ struct MatterPage<'a, T> {
 pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<(String, String)> {
     let groups = matter::groups(rendering, diagnostics);
     let mut pages = vec![
-        ("index.html".to_owned(), index(rendering, diagnostics)),
+        ("index.html".to_owned(), landing::page(rendering, diagnostics)),
         matter_page(rendering, &EXHIBITS, json!({ "groups": groups }), diagnostics),
         matter_page(rendering, &KINDS, json!({ "kinds": matter::kinds(rendering) }), diagnostics),
         matter_page(rendering, &BIBLIOGRAPHY, json!({ "entries": rendering.citations.list() }), diagnostics),
     ];
+    if !rendering.plan.terms.is_empty() {
+        let letters = terms::letters(rendering, diagnostics);
+        pages.push(matter_page(rendering, &TERMS, json!({ "letters": letters }), diagnostics));
+    }
     for chapter in 0..rendering.course.chapters.len() {
         pages.push((rendering.href(chapter), chapter_page(rendering, chapter, diagnostics)));
     }
     pages
 }
 
-fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> BookContext<'a> {
+pub(super) fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> BookContext<'a> {
     let configuration = &rendering.course.configuration;
-    let chapters = rendering.course.chapters.iter().enumerate().map(|(index, chapter)| ChapterContext {
-        number: index + 1,
-        title: &chapter.front.title,
-        summary: &chapter.front.summary,
-        href: rendering.href(index),
-        current: current == Some(index),
-    });
     BookContext {
         title: &configuration.title,
         subtitle: &configuration.subtitle,
         summary: &configuration.summary,
         authors: &configuration.authors,
         language: &configuration.language,
-        chapters: chapters.collect(),
-        matter: MATTER.iter().map(|matter| MatterContext { title: matter.title, href: matter.href }).collect(),
+        chapters: chapters(rendering, current).collect(),
+        matter: matter::of(rendering).map(MatterContext::from).collect(),
         version: env!("CARGO_PKG_VERSION"),
     }
+}
+
+/// The chapters as lists of them show them.
+pub(super) fn chapters<'a>(
+    rendering: &Rendering<'a>,
+    current: Option<usize>,
+) -> impl Iterator<Item = ChapterContext<'a>> {
+    let chapters = rendering.course.chapters.iter().enumerate();
+    chapters.map(move |(index, chapter)| ChapterContext {
+        number: index + 1,
+        title: &chapter.front.title,
+        summary: &chapter.front.summary,
+        href: rendering.href(index),
+        current: current == Some(index),
+    })
 }
 
 fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -> Option<Neighbour<'a>> {
@@ -173,24 +184,6 @@ fn contents(rendering: &Rendering<'_>, chapter: usize) -> Vec<SectionContext> {
             level: section.level,
         })
         .collect()
-}
-
-fn index(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String {
-    let configuration = &rendering.course.configuration;
-    let context = IndexPage {
-        book: book(rendering, None),
-        page: PageContext {
-            title: &configuration.title,
-            number: None,
-            summary: &configuration.summary,
-            href: "index.html".to_owned(),
-        },
-        assets: ASSETS,
-        exhibit_count: rendering.shown.len(),
-        claim_count: rendering.shown.iter().map(|shown| shown.verdicts.len()).sum(),
-        contents: Vec::new(),
-    };
-    rendering.templates.fill("index.html", &context, diagnostics)
 }
 
 /// A page of the book's own, from the template of its name.

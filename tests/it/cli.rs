@@ -154,6 +154,58 @@ fn run_prints_the_files_of_the_book() {
 }
 
 #[test]
+fn run_changes_parameters_and_compares() {
+    let course = small();
+    course.fine(&["build", "--quiet"]);
+    let book = course.book();
+    let run = |arguments: &[&str]| course.fine(&[&["run", "--quiet"], arguments].concat()).out;
+    // Both names of the parameter mean it, a word stands for itself, and what only one of the two has is alone.
+    let said = run(&["fig-points", "-p", "samplers=halton", "-p", "n=25"]);
+    let rows: Vec<Vec<&str>> =
+        said.lines().map(|line| line.split("  ").filter(|cell| !cell.is_empty()).collect()).collect();
+    assert_eq!(rows[0].iter().map(|cell| cell.trim()).collect::<Vec<_>>(), ["in the book", "changed"], "{said}");
+    assert!(said.contains(".halton") && !said.contains(".jittered"), "{said}");
+    let said = run(&["fig-points", "-p", "n=25"]);
+    let row = said.lines().find(|line| line.starts_with("cells.max.jittered")).unwrap();
+    assert_eq!(row.split_whitespace().collect::<Vec<_>>(), ["cells.max.jittered", "1", "1"], "{said}");
+    let told = |arguments: &[&str]| {
+        let json = run(&[&["tbl-estimates", "--format", "json"], arguments].concat());
+        serde_json::from_str::<serde_json::Value>(&json).unwrap()
+    };
+    let (plain, changed) = (told(&[]), told(&["-p", "n=\"2^2..2^3\"", "-p", "seed=5", "-p", "integrand=x*x"]));
+    assert_eq!(changed["parameters"]["n"], serde_json::json!([4, 8]));
+    assert_eq!((&changed["seed"], &plain["seed"]), (&serde_json::json!(5), &serde_json::json!(1)));
+    assert!((changed["values"]["exact"].as_f64().unwrap() - 1.0 / 3.0).abs() < 1e-9, "{changed}");
+    assert_eq!(told(&["-p", "n=[4, 16]"])["values"], plain["values"], "the same question has the same answer");
+    let table = run(&["tbl-estimates", "--format", "csv", "-p", "n=[4, 64]"]);
+    assert!(table.lines().any(|line| line.starts_with("64,")), "{table}");
+    // Nothing of this is left in the book, and the cache knows the exhibits as they are there.
+    assert!(course.book() == book);
+    assert!(course.fine(&["why", "fig-points"]).out.starts_with("fig-points is fresh"));
+    assert!(course.fine(&["build"]).err.contains("nothing changed in"));
+}
+
+#[test]
+fn a_wrong_change_is_told_by_its_parameter() {
+    let course = small();
+    let told = |change: &str| {
+        let said = course.say(&["run", "fig-points", "-p", change]);
+        assert_eq!((said.exit, said.out.as_str()), (2, ""), "{change}: {}", said.err);
+        said.err
+    };
+    let count = told("n=17");
+    assert!(count.contains("--> fig-points -p n=17:4:5") && count.contains("nearest counts are 16 and 25"), "{count}");
+    assert!(told("samplers=haltn").contains("did you mean `halton`?"));
+    let unknown = told("smaplers=halton");
+    assert!(unknown.contains("unknown key `smaplers`") && unknown.contains("did you mean `samplers`?"), "{unknown}");
+    assert!(told("n=[16").contains("`[16` is no TOML"));
+    assert!(told("n").contains("name=value"));
+    for fixed in ["id=fig-other", "kind=histogram", "caption=x", "claims={}"] {
+        assert!(told(fixed).contains("is no parameter"), "{fixed}");
+    }
+}
+
+#[test]
 fn list_names_every_catalogue() {
     let course = small();
     let first: [(&str, &[&str]); 5] = [

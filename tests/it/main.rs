@@ -57,6 +57,9 @@ mod statistics;
 #[cfg(feature = "publish")]
 mod steppers;
 #[cfg(feature = "publish")]
+mod terms;
+#[cfg(feature = "publish")]
 mod tidy;
 #[cfg(feature = "publish")]
+mod traps;
 mod typed;

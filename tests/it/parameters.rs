@@ -185,6 +185,7 @@ fn every_kind_documents_its_parameters_and_its_defaults_read() {
     let least = |key: &str, name: &str| match (key, name) {
         ("koksma-hlawka", "integrand") => "\"unit-variation\"",
         ("bug", "bug") => "\"missing-density\"",
+        ("point-bug", "bug") => "\"integer-division\"",
         ("coverage" | "averaging", "samplers") => "\"sobol+owen\"",
         (_, "samplers") => "\"independent\"",
         (_, "densities") => "\"1\"",

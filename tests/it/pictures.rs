@@ -92,6 +92,18 @@ fn splitting_samples_the_lamp_and_not_the_image() {
     assert!(error("4x4") < error("1x16"));
 }
 
+/// Two zones that share the picture between them err on average as much as the picture, and what a lone zone tells is its own.
+#[test]
+fn zones_share_the_error_of_the_picture() {
+    let fence = |zones: &str| outcome(&format!("{SMALL}sampler = \"jittered\"\nzone = [32, 48]\nzones = {zones}"));
+    let both = fence("[[0, 0], [32, 0]]");
+    let square = |name: &str| number(&both, name) * number(&both, name);
+    let (left, right) = (square("zone.1.jittered"), square("zone.2.jittered"));
+    assert!((0.5 * (left + right) - square("rmse.jittered")).abs() < 1e-12, "{left} {right}");
+    assert!((left / right - 1.0).abs() > 0.05, "the halves differ: {left} {right}");
+    assert_eq!(number(&fence("[[32, 0]]"), "zone.1.jittered"), number(&both, "zone.2.jittered"));
+}
+
 #[test]
 fn identical_runs_gain_nothing_and_randomised_ones_the_root() {
     let samplers = "samplers = [\"sobol+owen\", \"halton+cranley-patterson\"]";
@@ -133,6 +145,7 @@ fn what_cannot_be_rendered_is_refused_with_its_place() {
     for (fence, words) in [
         ("kind = \"render\"\nscene = \"soft-shadow\"", "unknown scene"),
         ("kind = \"render\"\nlight = 3", "no multiple"),
+        ("kind = \"render\"\nzones = [[0, 0], [180, 0]]", "not within the picture"),
         ("kind = \"render\"\nscene = \"checkerboard\"\nlight = 4", "no lamp"),
         ("kind = \"render\"\nsampler = \"jittered\"\nn = 15", "jittered"),
         ("kind = \"render\"\nsampler = \"sobol+xor\"\nrandomisation = \"sequence\"", "one sequence"),

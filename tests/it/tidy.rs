@@ -63,6 +63,7 @@ const SHARED: &[&str] = &[
     "kinds/estimation",
     "kinds/experiment",
     "kinds/imaging",
+    "kinds/point_bugs",
     "kinds/steps",
     "kinds/measuring.rs",
     "kinds/placing.rs",

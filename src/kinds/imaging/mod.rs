@@ -1,8 +1,10 @@
 //! Imaging: pictures in parallel, the reference that many share, and what their errors are like.
 
 mod errors;
+mod radial;
 mod randomisation;
 mod shades;
+mod zones;
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -20,8 +22,10 @@ use crate::seed::Seed;
 use crate::stats::moments;
 
 pub use errors::{Errors, RINGS};
+pub use radial::{Radial, middle, radial};
 pub use randomisation::Randomisation;
 pub use shades::{signed, spectrum};
+pub use zones::{ZoneError, Zones, zone_columns, zone_values};
 
 /// The sampler of references: the best of those that are fast.
 const REFERENCE: &str = "sobol+owen-hash";
@@ -37,6 +41,8 @@ pub struct Reference {
     pub image: Image,
     /// The root mean square error of a pixel's luminance, from the difference of the two.
     pub error: f64,
+    /// By how much the luminances of the two differ.
+    pub gaps: Vec<f64>,
 }
 
 /// A row of each of the two images.
@@ -69,7 +75,7 @@ pub fn reference(scene: &'static dyn Scene, size: [usize; 2], samples: usize) ->
     let [first, second] = [flat(0), flat(1)].map(|pixels| Image { width: size[0], height: size[1], pixels });
     let gaps: Vec<f64> = first.luminance().iter().zip(second.luminance()).map(|(a, b)| a - b).collect();
     let pixels = first.pixels.iter().zip(&second.pixels).map(|(&a, &b)| (a + b) * 0.5).collect();
-    Ok(Reference { image: Image { pixels, ..first }, error: 0.5 * moments::root_mean_square(&gaps) })
+    Ok(Reference { image: Image { pixels, ..first }, error: 0.5 * moments::root_mean_square(&gaps), gaps })
 }
 
 fn halves(scene: &'static dyn Scene, size: [usize; 2], samples: usize) -> Result<Arc<Halves>, Failure> {
