@@ -1,26 +1,72 @@
 //! Embeds the sources of the library in the library, so that a listing shows, and a key hashes, the very text that was compiled.
 //!
-//! Writes to `OUT_DIR`: `sources.rs`, a sorted table of every file below `src/` and the text of `Cargo.lock`; and `templates.rs`, a sorted
-//! table of the templates and assets that every course has unless it brings its own.
+//! Writes to `OUT_DIR`: `sources.rs`, a sorted table of every file below `src/`; `digests.rs`, the digests of these and of `Cargo.lock` for
+//! the keys of results, which a run would take longer to compute than all else that it repeats; and `templates.rs`, a sorted table
+//! of the templates and assets that every course has unless it brings its own.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
+
+/// The library's own reading of its sources.
+#[cfg(feature = "publish")]
+#[path = "src/sources"]
+#[allow(dead_code, unused_imports, reason = "the library uses the rest")]
+mod sources {
+    pub mod analysis;
+    pub mod digest;
+    mod lex;
+    pub mod table;
+    mod uses;
+}
 
 fn main() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src");
     println!("cargo:rerun-if-changed=templates");
     println!("cargo:rerun-if-changed=Cargo.lock");
     let out = env::var_os("OUT_DIR").map(PathBuf::from).ok_or_else(|| io::Error::other("OUT_DIR is not set"))?;
-    let mut sources = table("src", "FILES")?;
-    sources.push_str("/// The locked dependencies.\npub static LOCKED: &str = ");
-    sources.push_str(if Path::new("Cargo.lock").is_file() {
-        "include_str!(concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/Cargo.lock\"));\n"
-    } else {
-        "\"\";\n"
-    });
-    fs::write(out.join("sources.rs"), sources)?;
+    fs::write(out.join("sources.rs"), table("src", "FILES")?)?;
+    #[cfg(feature = "publish")]
+    fs::write(out.join("digests.rs"), digests()?)?;
     fs::write(out.join("templates.rs"), table("templates", "TEMPLATES")?)
+}
+
+/// The Rust text of the digests of every file below `src/`.
+#[cfg(feature = "publish")]
+fn digests() -> io::Result<String> {
+    use sources::analysis::Sources;
+    use sources::digest::Digest;
+    use sources::table::Code;
+
+    let mut names = Vec::new();
+    collect(Path::new("src"), Path::new("src"), &mut names)?;
+    let files = names.iter().map(|name| Ok((name.as_str(), fs::read(Path::new("src").join(name))?)));
+    let files = files.collect::<io::Result<Vec<_>>>()?;
+    let locked = if Path::new("Cargo.lock").is_file() { fs::read_to_string("Cargo.lock")? } else { String::new() };
+    let read = Sources::new(files.iter().map(|(name, bytes)| (*name, bytes.as_slice())), &locked).table();
+    let digest = |digest: &Digest| format!("Digest::new({:?})", digest.bytes());
+    let mut text = String::from("/// The digests of the sources, as the build script read them.\n");
+    text.push_str("pub static DIGESTS: Table<'static> = Table {\n");
+    let _ = writeln!(text, "    engine: {},", digest(&read.engine));
+    let _ = writeln!(text, "    dependencies: {},\n    units: Borrowed(&[", digest(&read.dependencies));
+    for unit in read.units.iter() {
+        let (file, listed, uses) = (unit.file, unit.listed, &unit.uses);
+        let digest = digest(&unit.digest);
+        let _ = writeln!(
+            text,
+            "        Unit {{ file: {file:?}, digest: {digest}, listed: {listed}, uses: Borrowed(&{uses:?}) }},"
+        );
+    }
+    text.push_str("    ]),\n    files: Borrowed(&[\n");
+    for (file, code) in read.files.iter() {
+        let code = match code {
+            Code::Unit(unit) => format!("Code::Unit({unit})"),
+            Code::Shared(shared) => format!("Code::Shared({})", digest(shared)),
+        };
+        let _ = writeln!(text, "        ({file:?}, {code}),");
+    }
+    text.push_str("    ]),\n};\n");
+    Ok(text)
 }
 
 /// The Rust text of a sorted table `name` of every file below `folder`, by its path there.

@@ -12,7 +12,7 @@ use crate::plan::{Exhibit, Plan};
 use crate::render::Book;
 use crate::run::{Cache, Job, Observer, Ran};
 use crate::workspace::Workspace;
-use crate::{exhibits, parse, plan, render, run, sources, verify, workspace};
+use crate::{exhibits, parse, plan, render, run, verify, workspace};
 
 /// What a book is made from.
 #[derive(Debug, Clone)]
@@ -93,8 +93,6 @@ pub fn check(request: &Request) -> Planned {
 ///
 /// Experiments that are right run even if others are wrong, so that false claims are told in the same run as slips of the pen.
 pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
-    // The digests of the code are due once the plan is, and need nothing of the course.
-    std::thread::spawn(sources::sources);
     let Planned { workspace, course, plan, mut diagnostics, timings } = check(request);
     let mut clock = Clock { times: timings };
     let ran = clock.time("run", || run::run(jobs(&plan), request.cache().as_ref(), request.threads, observer));

@@ -44,8 +44,8 @@ impl Key {
             parameters: experiment.question(),
             seed,
             code: sources.code(experiment.abouts().into_iter().map(|about| about.file)),
-            engine: sources.engine(),
-            dependencies: sources.dependencies(),
+            engine: sources.engine,
+            dependencies: sources.dependencies,
         }
     }
 

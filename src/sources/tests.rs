@@ -1,5 +1,8 @@
 //! Tests of the digests over small tables of sources.
 
+use std::collections::BTreeMap;
+
+use super::analysis::not_computing;
 use super::*;
 
 const LOCK: &str = "version = 4\n\n[[package]]\nname = \"rand\"\nversion = \"0.10.0\"\nsource = \"registry\"\nchecksum = \"ab\"\n\n\
@@ -35,8 +38,8 @@ fn table() -> BTreeMap<String, String> {
 
 /// Everything that a key can see of a table: the engine, and each entry's code.
 fn seen(table: &BTreeMap<String, String>) -> BTreeMap<&'static str, String> {
-    let sources = Sources::new(table.iter().map(|(file, text)| (file.as_str(), text.as_bytes())), LOCK);
-    let mut seen = BTreeMap::from([("engine", sources.engine().to_string())]);
+    let sources = Sources::new(table.iter().map(|(file, text)| (file.as_str(), text.as_bytes())), LOCK).table();
+    let mut seen = BTreeMap::from([("engine", sources.engine.to_string())]);
     for file in ["samplers/halton.rs", "samplers/sobol.rs", "kinds/table.rs", "kinds/points.rs"] {
         seen.insert(file, format!("{:?}", sources.code([file])));
     }
@@ -142,7 +145,7 @@ fn a_new_entry_changes_nothing() {
     let mut table = table();
     added(&mut table);
     let sources = Sources::new(table.iter().map(|(file, text)| (file.as_str(), text.as_bytes())), LOCK);
-    assert!(sources.entries().any(|file| file == "samplers/faure.rs"));
+    assert!(sources.table().entries().any(|file| file == "samplers/faure.rs"));
     // Listed but not declared, or declared but not listed: no entry, so that it counts for all.
     assert_eq!(changed(|table| drop(table.insert("samplers/loose.rs".into(), String::new()))), ["engine"]);
 }
@@ -156,7 +159,7 @@ fn line_ends_do_not_matter() {
 
 #[test]
 fn dependencies_leave_this_package_out() {
-    let of = |lock: &str| Sources::new([], lock).dependencies();
+    let of = |lock: &str| Sources::new([], lock).table().dependencies;
     assert_eq!(of(LOCK), of(&LOCK.replace("0.1.0", "0.2.0")));
     assert_eq!(of(LOCK), of(&LOCK.replace('\n', "\r\n")));
     for other in ["0.10.1", "0.10.00"] {
@@ -168,10 +171,19 @@ fn dependencies_leave_this_package_out() {
 
 #[test]
 fn the_compiled_sources_are_embedded() {
-    assert!(text("sources/mod.rs").is_some_and(|text| text.contains("fn not_computing")));
+    assert!(text("sources/analysis.rs").is_some_and(|text| text.contains("fn not_computing")));
     assert_eq!(text("nothing.rs"), None);
-    assert_ne!(sources().dependencies(), Sources::new([], "").dependencies());
+    assert_ne!(sources().dependencies, Sources::new([], "").table().dependencies);
     assert!(embedded::FILES.is_sorted());
+}
+
+/// The build script's reading is that of the very bytes that were embedded.
+#[test]
+fn the_table_of_the_build_is_that_of_the_embedded_sources() {
+    let locked = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.lock"));
+    let read = Sources::new(embedded::FILES.iter().copied(), locked).table();
+    assert!(read.units.len() > 100 && read.files.len() == embedded::FILES.len());
+    assert_eq!(&read, sources());
 }
 
 #[test]

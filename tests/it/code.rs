@@ -61,10 +61,10 @@ fn run_anew(file: &str, from: &str, to: &str) -> Vec<String> {
     let of = |files| -> Vec<_> {
         let files: &BTreeMap<String, Vec<u8>> = files;
         let files = files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice()));
-        let sources = code::Sources::new(files, "");
+        let sources = code::Sources::new(files, "").table();
         let seen = |exhibit: &Exhibit| {
             let files = exhibit.experiment.abouts().into_iter().map(|about| about.file);
-            (sources.engine(), sources.code(files))
+            (sources.engine, sources.code(files))
         };
         plan.exhibits.iter().map(seen).collect()
     };
@@ -84,7 +84,7 @@ fn a_changed_sampler_runs_what_uses_it_and_nothing_else() {
 fn no_entry_is_part_of_the_engine() {
     let files = tree(&Path::new(PACKAGE).join("src"));
     let sources = |files: &BTreeMap<String, Vec<u8>>| {
-        code::Sources::new(files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice())), "").engine()
+        code::Sources::new(files.iter().map(|(path, bytes)| (path.as_str(), bytes.as_slice())), "").table().engine
     };
     let engine = sources(&files);
     let entries: Vec<&str> = abouts().iter().map(|about| about.file).collect::<BTreeSet<_>>().into_iter().collect();
