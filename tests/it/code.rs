@@ -103,7 +103,7 @@ fn no_entry_is_part_of_the_engine() {
 fn what_only_draws_or_tells_runs_nothing() {
     for (file, from) in [
         ("chart/palette.rs", "fn css"),
-        ("render/pages.rs", "fn index"),
+        ("render/pages.rs", "fn neighbour"),
         ("verify/site.rs", "fn check"),
         ("cli/build.rs", "fn run"),
     ] {
