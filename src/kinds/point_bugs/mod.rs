@@ -8,7 +8,14 @@ mod drawing;
 mod exclusive_shuffle;
 mod found;
 mod integer_division;
+mod moves_zero;
+mod net_as_sequence;
+mod plain_distance;
+mod raw_seeds;
 mod repeated_base;
+mod rounded_cell;
+mod rounded_radical_inverse;
+mod rounded_shift;
 
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::kinds::Failure;
@@ -17,7 +24,18 @@ use crate::seed::Seed;
 pub use found::{Facts, Found, Side, empty_boxes, mean_of, placed};
 
 /// Every mistake, in the order of display.
-pub static BUGS: &[&Bug] = &[&integer_division::BUG, &exclusive_shuffle::BUG, &repeated_base::BUG];
+pub static BUGS: &[&Bug] = &[
+    &integer_division::BUG,
+    &exclusive_shuffle::BUG,
+    &plain_distance::BUG,
+    &repeated_base::BUG,
+    &moves_zero::BUG,
+    &net_as_sequence::BUG,
+    &raw_seeds::BUG,
+    &rounded_radical_inverse::BUG,
+    &rounded_shift::BUG,
+    &rounded_cell::BUG,
+];
 
 /// A program that places points or numbers in two forms, of which one is wrong.
 pub struct Bug {
