@@ -26,7 +26,8 @@ struct BookContext<'a> {
 /// A line of the list of chapters.
 #[derive(Serialize)]
 struct ChapterContext<'a> {
-    number: usize,
+    number: &'a str,
+    appendix: bool,
     title: &'a str,
     summary: &'a str,
     href: String,
@@ -44,7 +45,9 @@ struct MatterContext {
 #[derive(Serialize)]
 struct PageContext<'a> {
     title: &'a str,
-    number: Option<usize>,
+    /// A chapter's number, and `Chapter` or `Appendix`.
+    number: Option<&'a str>,
+    word: &'static str,
     summary: &'a str,
     href: String,
 }
@@ -54,7 +57,7 @@ struct PageContext<'a> {
 struct Neighbour<'a> {
     title: &'a str,
     href: String,
-    number: usize,
+    number: &'a str,
 }
 
 /// A line of a chapter's contents.
@@ -121,7 +124,8 @@ pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) 
 fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> BookContext<'a> {
     let configuration = &rendering.course.configuration;
     let chapters = rendering.course.chapters.iter().enumerate().map(|(index, chapter)| ChapterContext {
-        number: index + 1,
+        number: &chapter.number,
+        appendix: chapter.appendix,
         title: &chapter.front.title,
         summary: &chapter.front.summary,
         href: rendering.href(index),
@@ -142,7 +146,7 @@ fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> BookContext<'a
 fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -> Option<Neighbour<'a>> {
     let index = chapter?;
     let chapter = rendering.course.chapters.get(index)?;
-    Some(Neighbour { title: &chapter.front.title, href: rendering.href(index), number: index + 1 })
+    Some(Neighbour { title: &chapter.front.title, href: rendering.href(index), number: &chapter.number })
 }
 
 fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<Diagnostic>) -> String {
@@ -153,7 +157,8 @@ fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<D
         book: book(rendering, Some(index)),
         page: PageContext {
             title: &chapter.front.title,
-            number: Some(index + 1),
+            number: Some(&chapter.number),
+            word: chapter.word(),
             summary: &chapter.front.summary,
             href: rendering.href(index),
         },
@@ -187,6 +192,7 @@ fn index(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String
         page: PageContext {
             title: &configuration.title,
             number: None,
+            word: "",
             summary: &configuration.summary,
             href: "index.html".to_owned(),
         },
@@ -207,7 +213,13 @@ fn matter_page(
 ) -> (String, String) {
     let context = MatterPage {
         book: book(rendering, None),
-        page: PageContext { title: matter.title, number: None, summary: matter.summary, href: matter.href.to_owned() },
+        page: PageContext {
+            title: matter.title,
+            number: None,
+            word: "",
+            summary: matter.summary,
+            href: matter.href.to_owned(),
+        },
         assets: ASSETS,
         contents: Vec::new(),
         own,
