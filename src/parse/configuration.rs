@@ -29,6 +29,8 @@ parameters! {
         language: String = "en",
         /// The chapters in the order of the book, each by its file's stem; all of them by name if it is not given.
         order: Option<Vec<String>>,
+        /// The appendices in their order, each by its file's stem: they come after the chapters, with letters for numbers.
+        appendices: Option<Vec<String>>,
         /// The bibliography's file in the chapters' folder.
         bibliography: Option<String>,
         /// Whether chapters may hold raw HTML.
@@ -83,7 +85,9 @@ pub struct Configuration {
     /// The language of the text.
     pub language: String,
     /// The listed chapters' stems, each with its place in the configuration; none lists all of them.
-    pub order: Option<Vec<(String, Range<usize>)>>,
+    pub order: Option<Vec<Listed>>,
+    /// The same of the appendices.
+    pub appendices: Vec<Listed>,
     /// The bibliography's path from the course's root.
     pub bibliography: Option<String>,
     /// Whether chapters may hold raw HTML.
@@ -97,6 +101,9 @@ pub struct Configuration {
     /// LaTeX macros: name to replacement.
     pub macros: BTreeMap<String, String>,
 }
+
+/// A chapter's stem as it is listed, with its place in the configuration.
+pub type Listed = (String, Range<usize>);
 
 /// Reads the configuration; what is missing or wrong is told, and the default stands in.
 pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> Configuration {
@@ -113,7 +120,8 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
             summary: head.summary.unwrap_or_default(),
             authors: head.authors,
             language: head.language,
-            order: head.order.map(|stems| stems.into_iter().zip(order_places(&fields)).collect()),
+            order: head.order.map(|stems| listed(stems, "order", &fields)),
+            appendices: head.appendices.map(|stems| listed(stems, "appendices", &fields)).unwrap_or_default(),
             bibliography: head.bibliography.map(|file| format!("{CHAPTERS}/{file}")),
             allow_html: head.allow_html,
             typed_numbers: head.typed_numbers.severity(),
@@ -140,12 +148,14 @@ pub(super) fn located(complaint: Complaint, source: &Source) -> Diagnostic {
     diagnostic
 }
 
-fn order_places(fields: &Fields<'_>) -> Vec<Range<usize>> {
-    match fields.value("order").map(|value| (value.span(), value.get_ref())) {
+/// The stems of the list `name` with their places.
+fn listed(stems: Vec<String>, name: &str, fields: &Fields<'_>) -> Vec<Listed> {
+    let places = match fields.value(name).map(|value| (value.span(), value.get_ref())) {
         Some((_, DeValue::Array(elements))) => elements.iter().map(toml::Spanned::span).collect(),
         Some((span, _)) => vec![span],
         None => Vec::new(),
-    }
+    };
+    stems.into_iter().zip(places).collect()
 }
 
 fn read_defaults(fields: &mut Fields<'_>) -> Option<u64> {
@@ -194,24 +204,31 @@ fn check_bibliography(
     }
 }
 
-/// The chapters in the order of the book. A listed one that is missing, and one that is not listed, are told.
+/// The chapters in the order of the book, each with whether it is an appendix. A listed one that is missing, and one that is not
+/// listed, are told.
 pub(super) fn ordered_chapters<'w>(
     configuration: &Configuration,
     workspace: &'w Workspace,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Vec<&'w Source> {
+) -> Vec<(&'w Source, bool)> {
     let file: Arc<str> = CONFIGURATION.into();
     let all: Vec<&Source> = workspace.chapters().collect();
     if all.is_empty() && diagnostics.is_empty() && workspace.text(CONFIGURATION).is_some() {
         let error = Diagnostic::error(Code::ChapterOrder, "the course has no chapter");
         diagnostics.push(error.help(format!("chapters are files directly in `{CHAPTERS}/`: `{CHAPTERS}/01-first.md`")));
     }
-    let Some(order) = &configuration.order else { return all };
     let stem = |source: &&Source| chapter_stem(&source.path).unwrap_or_default().to_owned();
+    let is_in = |list: &[Listed], source: &&Source| list.iter().any(|(listed, _)| *listed == stem(source));
+    let appendices = &configuration.appendices;
     let mut chosen = Vec::new();
-    for (listed, range) in order {
+    if configuration.order.is_none() {
+        chosen.extend(all.iter().filter(|source| !is_in(appendices, source)).map(|source| (*source, false)));
+    }
+    let order = configuration.order.as_deref().unwrap_or_default();
+    let listed = order.iter().map(|listed| (listed, false)).chain(appendices.iter().map(|listed| (listed, true)));
+    for ((listed, range), appendix) in listed {
         if let Some(source) = all.iter().find(|source| stem(source) == *listed) {
-            chosen.push(*source);
+            chosen.push((*source, appendix));
         } else {
             let stems: Vec<String> = all.iter().map(stem).collect();
             let near = nearest(listed, stems.iter().map(String::as_str)).map(|near| format!("did you mean `{near}`?"));
@@ -220,7 +237,7 @@ pub(super) fn ordered_chapters<'w>(
         }
     }
     for source in &all {
-        if !order.iter().any(|(listed, _)| *listed == stem(source)) {
+        if !chosen.iter().any(|(known, _)| known.path == source.path) {
             let error =
                 Diagnostic::warning(Code::ChapterOrder, format!("the chapter `{}` is not in the book", source.path));
             diagnostics.push(

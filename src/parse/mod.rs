@@ -41,10 +41,32 @@ pub struct Chapter {
     pub stem: String,
     /// The stem without its leading number, e.g. `history`: the page's name.
     pub slug: String,
+    /// Its number as a reader sees it: `3`, or `A` if it is an appendix.
+    pub number: String,
+    /// Whether it is an appendix.
+    pub appendix: bool,
     /// Title and summary.
     pub front: FrontMatter,
     /// What it consists of.
     pub content: Content,
+}
+
+impl Chapter {
+    /// What a reader calls such a part of the book.
+    pub fn word(&self) -> &'static str {
+        if self.appendix { "Appendix" } else { "Chapter" }
+    }
+
+    /// What a reader calls it, e.g. `Chapter 3`.
+    pub fn name(&self) -> String {
+        format!("{} {}", self.word(), self.number)
+    }
+}
+
+/// The number of the appendix with this index: `A` to `Z`, then `AA`.
+fn letters(index: usize) -> String {
+    let letter = ('A'..='Z').nth(index % 26).unwrap_or_default();
+    std::iter::repeat_n(letter, 1 + index / 26).collect()
 }
 
 /// The pieces of a chapter in order, and its fences.
@@ -72,8 +94,13 @@ pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
     let configuration = configuration::read(workspace, &mut diagnostics);
     let sources = configuration::ordered_chapters(&configuration, workspace, &mut diagnostics);
-    let chapters: Vec<Chapter> =
-        sources.into_iter().map(|source| chapter(source, &configuration, workspace, &mut diagnostics)).collect();
+    let count = sources.iter().filter(|(_, appendix)| !appendix).count();
+    let chapters = sources.into_iter().enumerate().map(|(index, (source, appendix))| Chapter {
+        number: if appendix { letters(index - count) } else { (index + 1).to_string() },
+        appendix,
+        ..chapter(source, &configuration, workspace, &mut diagnostics)
+    });
+    let chapters: Vec<Chapter> = chapters.collect();
     check_slugs(&chapters, &mut diagnostics);
     (Course { configuration, chapters }, diagnostics)
 }
@@ -94,7 +121,7 @@ fn check_slugs(chapters: &[Chapter], diagnostics: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Parses one chapter.
+/// Parses one chapter, whatever its number.
 fn chapter(
     source: &workspace::Source,
     configuration: &Configuration,
@@ -110,6 +137,8 @@ fn chapter(
         file: Arc::clone(&source.path),
         slug: if slug.is_empty() { stem.clone() } else { slug },
         stem,
+        number: String::new(),
+        appendix: false,
         front,
         content,
     }

@@ -179,11 +179,11 @@ impl Numbering<'_> {
         }
     }
 
-    /// The next number of a kind: the chapter's number, a dot, and the count in the chapter.
+    /// The next number of a kind: the chapter's number or letter, a dot, and the count in the chapter.
     fn next(&mut self, kind: LabelKind) -> String {
         let count = self.counts.entry(kind).or_default();
         *count += 1;
-        format!("{}.{count}", self.index + 1)
+        format!("{}.{count}", self.chapter.number)
     }
 
     fn define(&mut self, id: &str, kind: LabelKind, number: String, place: Place) {
@@ -224,7 +224,7 @@ impl Numbering<'_> {
         self.section[level - 1] += 1;
         self.section[level..].fill(0);
         let inner = self.section[1..level].iter().map(usize::to_string).collect::<Vec<_>>().join(".");
-        let number = format!("{}.{inner}", self.index + 1);
+        let number = format!("{}.{inner}", self.chapter.number);
         if let Some(id) = id.filter(|id| !id.starts_with("sec-") && self.taken(id)) {
             let error = Diagnostic::error(Code::DuplicateId, format!("the id `{id}` is used twice on this page"));
             self.diagnostics.push(error.at_place(&self.place(node.range.clone())).help("give one of them another id"));

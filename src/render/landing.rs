@@ -56,6 +56,7 @@ pub(super) fn page(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>)
         page: PageContext {
             title: &configuration.title,
             number: None,
+            word: "",
             summary: &configuration.summary,
             href: "index.html".to_owned(),
         },

@@ -56,7 +56,7 @@ pub(super) fn of(rendering: &Rendering<'_>) -> impl Iterator<Item = &'static Mat
 /// A chapter's part of the index of exhibits.
 #[derive(Serialize)]
 pub(super) struct Group<'a> {
-    number: usize,
+    number: &'a str,
     title: &'a str,
     href: String,
     exhibits: Vec<Thumbnail<'a>>,
@@ -79,10 +79,10 @@ struct Thumbnail<'a> {
 /// The exhibits by chapter.
 pub(super) fn groups<'a>(rendering: &'a Rendering<'a>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Group<'a>> {
     let chapters = rendering.course.chapters.iter().enumerate();
-    let groups = chapters.map(|(number, chapter)| {
-        let indices = (0..rendering.plan.exhibits.len()).filter(|&at| rendering.plan.exhibits[at].chapter == number);
+    let groups = chapters.map(|(index, chapter)| {
+        let indices = (0..rendering.plan.exhibits.len()).filter(|&at| rendering.plan.exhibits[at].chapter == index);
         let exhibits = indices.map(|index| thumbnail(rendering, index, diagnostics)).collect();
-        Group { number: number + 1, title: &chapter.front.title, href: rendering.href(number), exhibits }
+        Group { number: &chapter.number, title: &chapter.front.title, href: rendering.href(index), exhibits }
     });
     groups.filter(|group| !group.exhibits.is_empty()).collect()
 }

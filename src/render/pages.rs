@@ -27,7 +27,8 @@ pub(super) struct BookContext<'a> {
 /// A line of the list of chapters.
 #[derive(Serialize)]
 pub(super) struct ChapterContext<'a> {
-    number: usize,
+    number: &'a str,
+    appendix: bool,
     title: &'a str,
     summary: &'a str,
     href: String,
@@ -52,7 +53,9 @@ impl From<&Matter> for MatterContext {
 #[derive(Serialize)]
 pub(super) struct PageContext<'a> {
     pub(super) title: &'a str,
-    pub(super) number: Option<usize>,
+    /// A chapter's number, and `Chapter` or `Appendix`.
+    pub(super) number: Option<&'a str>,
+    pub(super) word: &'static str,
     pub(super) summary: &'a str,
     pub(super) href: String,
 }
@@ -62,7 +65,7 @@ pub(super) struct PageContext<'a> {
 struct Neighbour<'a> {
     title: &'a str,
     href: String,
-    number: usize,
+    number: &'a str,
 }
 
 /// A line of a chapter's contents.
@@ -137,7 +140,8 @@ pub(super) fn chapters<'a>(
 ) -> impl Iterator<Item = ChapterContext<'a>> {
     let chapters = rendering.course.chapters.iter().enumerate();
     chapters.map(move |(index, chapter)| ChapterContext {
-        number: index + 1,
+        number: &chapter.number,
+        appendix: chapter.appendix,
         title: &chapter.front.title,
         summary: &chapter.front.summary,
         href: rendering.href(index),
@@ -148,7 +152,7 @@ pub(super) fn chapters<'a>(
 fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -> Option<Neighbour<'a>> {
     let index = chapter?;
     let chapter = rendering.course.chapters.get(index)?;
-    Some(Neighbour { title: &chapter.front.title, href: rendering.href(index), number: index + 1 })
+    Some(Neighbour { title: &chapter.front.title, href: rendering.href(index), number: &chapter.number })
 }
 
 fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<Diagnostic>) -> String {
@@ -159,7 +163,8 @@ fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<D
         book: book(rendering, Some(index)),
         page: PageContext {
             title: &chapter.front.title,
-            number: Some(index + 1),
+            number: Some(&chapter.number),
+            word: chapter.word(),
             summary: &chapter.front.summary,
             href: rendering.href(index),
         },
@@ -195,7 +200,13 @@ fn matter_page(
 ) -> (String, String) {
     let context = MatterPage {
         book: book(rendering, None),
-        page: PageContext { title: matter.title, number: None, summary: matter.summary, href: matter.href.to_owned() },
+        page: PageContext {
+            title: matter.title,
+            number: None,
+            word: "",
+            summary: matter.summary,
+            href: matter.href.to_owned(),
+        },
         assets: ASSETS,
         contents: Vec::new(),
         own,

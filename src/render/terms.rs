@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::Rendering;
 use super::markdown::Writer;
 use crate::diag::Diagnostic;
+use crate::parse::Chapter;
 use crate::plan::terms::{Definition, Spot, id};
 
 /// The terms that begin with the same letter.
@@ -68,14 +69,14 @@ fn context(
     diagnostics.extend(complaints);
     let uses = definition.uses.iter().map(|&spot| {
         let (number, href) = place(rendering, spot);
-        UseContext { place: number.unwrap_or_else(|| chapter(spot)), href }
+        UseContext { place: number.unwrap_or_else(|| chapter(rendering, spot)), href }
     });
     TermContext {
         head,
         href: format!("{}#{}", rendering.href(spot.chapter), id(key)),
         place: match place(rendering, spot).0 {
             Some(number) => format!("Section {number}"),
-            None => chapter(spot),
+            None => chapter(rendering, spot),
         },
         uses: uses.collect(),
     }
@@ -91,7 +92,7 @@ fn place(rendering: &Rendering<'_>, spot: Spot) -> (Option<String>, String) {
     }
 }
 
-/// What a reader calls a chapter, e.g. `Chapter 3`.
-fn chapter(spot: Spot) -> String {
-    format!("Chapter {}", spot.chapter + 1)
+/// What a reader calls the chapter of a place.
+fn chapter(rendering: &Rendering<'_>, spot: Spot) -> String {
+    rendering.course.chapters.get(spot.chapter).map(Chapter::name).unwrap_or_default()
 }

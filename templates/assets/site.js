@@ -1,4 +1,5 @@
-// The theme button (automatic, light, dark), and the keyboard's way into what scrolls sideways. The pages are complete without this script.
+// The theme button (automatic, light, dark), the keyboard's way into what scrolls sideways, and folds that open for links and for paper.
+// The pages are complete without this script.
 (function () {
   "use strict";
   var root = document.documentElement;
@@ -52,6 +53,30 @@
   }
   window.addEventListener("load", reach);
   window.addEventListener("resize", reach);
+  // What is folded has no width; the event does not bubble.
+  document.addEventListener("toggle", reach, true);
+
+  // A link to a place in a closed fold opens it; not every browser does that by itself.
+  function unfold() {
+    var target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    var fold = target && target.parentElement.closest("details:not([open])");
+    if (!fold) return;
+    for (; fold; fold = fold.parentElement.closest("details")) fold.open = true;
+    target.scrollIntoView();
+  }
+  document.addEventListener("DOMContentLoaded", unfold);
+  window.addEventListener("hashchange", unfold);
+
+  // Hints and solutions are printed, and folded again afterwards.
+  var printed = [];
+  window.addEventListener("beforeprint", function () {
+    printed = Array.prototype.slice.call(document.querySelectorAll("details.callout:not([open])"));
+    printed.forEach(function (fold) { fold.open = true; });
+  });
+  window.addEventListener("afterprint", function () {
+    printed.forEach(function (fold) { fold.open = false; });
+    printed = [];
+  });
 
   document.addEventListener("click", function (event) {
     var link = event.target.closest && event.target.closest("a[href]");

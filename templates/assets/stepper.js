@@ -113,7 +113,9 @@
     var asked = /^#(.+):step=(\d+)$/.exec(decodeURIComponent(location.hash));
     if (!asked || !steppers[asked[1]]) return;
     steppers[asked[1]](Number(asked[2]));
-    document.getElementById(asked[1]).scrollIntoView({ behavior: still.matches ? "auto" : "smooth", block: "nearest" });
+    var figure = document.getElementById(asked[1]);
+    for (var fold = figure.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
+    figure.scrollIntoView({ behavior: still.matches ? "auto" : "smooth", block: "nearest" });
   }
 
   all(document, ".exhibit .stepper").forEach(function (box) { start(box.closest(".exhibit"), box); });

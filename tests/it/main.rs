@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 #[cfg(feature = "publish")]
+mod appendices;
+#[cfg(feature = "publish")]
 mod asked;
 #[cfg(feature = "publish")]
 mod atomic;
