@@ -75,7 +75,7 @@ pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
 }
 
 /// The pages that the book makes of itself: no chapter can have their names.
-pub const OWN_PAGES: [&str; 4] = ["index", "exhibits", "kinds", "bibliography"];
+pub const OWN_PAGES: [&str; 5] = ["index", "exhibits", "kinds", "bibliography", "made"];
 
 /// Complains of chapters whose pages would take each other's place, or that of a page of the book.
 fn check_slugs(chapters: &[Chapter], diagnostics: &mut Vec<Diagnostic>) {

@@ -37,8 +37,15 @@ pub(super) const KINDS: Matter = Matter {
 pub(super) const BIBLIOGRAPHY: Matter =
     Matter { title: "Bibliography", href: "bibliography.html", summary: "The works that the chapters cite." };
 
+/// What the build knows of itself.
+pub(super) const MADE: Matter = Matter {
+    title: "How this book was made",
+    href: "made.html",
+    summary: "What is computed, how claims are verified, and where every number comes from.",
+};
+
 /// The pages that are no chapters, in their order.
-pub(super) const MATTER: [Matter; 3] = [EXHIBITS, KINDS, BIBLIOGRAPHY];
+pub(super) const MATTER: [Matter; 4] = [EXHIBITS, KINDS, BIBLIOGRAPHY, MADE];
 
 /// A chapter's part of the index of exhibits.
 #[derive(Serialize)]

@@ -5,8 +5,9 @@ use serde_json::json;
 
 use super::Rendering;
 use super::landing;
+use super::made::made;
 use super::markdown::Writer;
-use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MATTER, Matter};
+use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MADE, MATTER, Matter};
 use super::templates::ASSETS;
 use crate::diag::Diagnostic;
 
@@ -104,6 +105,7 @@ pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) 
         matter_page(rendering, &EXHIBITS, json!({ "groups": groups }), diagnostics),
         matter_page(rendering, &KINDS, json!({ "kinds": matter::kinds(rendering) }), diagnostics),
         matter_page(rendering, &BIBLIOGRAPHY, json!({ "entries": rendering.citations.list() }), diagnostics),
+        matter_page(rendering, &MADE, made(rendering), diagnostics),
     ];
     for chapter in 0..rendering.course.chapters.len() {
         pages.push((rendering.href(chapter), chapter_page(rendering, chapter, diagnostics)));

@@ -46,6 +46,21 @@ pub fn text(path: &str) -> Option<&'static str> {
     std::str::from_utf8(embedded::FILES.get(at)?.1).ok()
 }
 
+/// The locked version of the package `name`, if it is known: the newest if there are several.
+pub fn locked(name: &str) -> Option<&'static str> {
+    version(embedded::LOCKED, name)
+}
+
+/// The version of the package `name` in the text of a `Cargo.lock`.
+fn version<'l>(locked: &'l str, name: &str) -> Option<&'l str> {
+    let field = |stanza: &'l str, field: &str| {
+        stanza.lines().find_map(|line| line.strip_prefix(field)?.strip_prefix(" = \"")?.strip_suffix('"'))
+    };
+    // Stanzas of one package are sorted by version.
+    let stanzas = locked.split("[[package]]").filter(|stanza| field(stanza, "name") == Some(name));
+    field(stanzas.last()?, "version")
+}
+
 /// The sources that this library was compiled from.
 pub fn sources() -> &'static Sources<'static> {
     static SOURCES: OnceLock<Sources<'static>> = OnceLock::new();
