@@ -44,6 +44,9 @@ pub use strata::Strata;
 pub use table::{Align, Cell, Column, Table};
 pub use text::Rich;
 
+/// The package that draws.
+pub const PACKAGE: &str = "plotters";
+
 /// What a drawing is told from outside: whose it is, its words, and how wide it may be.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {

@@ -106,7 +106,7 @@ pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
 }
 
 /// The pages that the book makes of itself: no chapter can have their names.
-pub const OWN_PAGES: [&str; 5] = ["index", "exhibits", "terms", "kinds", "bibliography"];
+pub const OWN_PAGES: [&str; 6] = ["index", "exhibits", "terms", "kinds", "bibliography", "made"];
 
 /// Complains of chapters whose pages would take each other's place, or that of a page of the book.
 fn check_slugs(chapters: &[Chapter], diagnostics: &mut Vec<Diagnostic>) {

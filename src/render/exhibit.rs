@@ -16,19 +16,29 @@ struct ExhibitPart<'a> {
 
 #[derive(Serialize)]
 struct ExhibitContext<'a> {
-    id: &'a str,
+    #[serde(flatten)]
+    provenance: Provenance<'a>,
     class: &'static str,
-    label: String,
     caption: String,
     body: String,
     below: String,
     width: Option<f64>,
     alt: &'a str,
+}
+
+/// How an exhibit was made, and what is claimed of it.
+#[derive(Serialize)]
+pub(super) struct Provenance<'a> {
+    id: &'a str,
+    label: String,
     kind: &'static str,
+    parameters: Vec<ParameterContext>,
     seed: u64,
     key: &'a str,
+    short_key: &'a str,
     claims: Vec<ClaimContext>,
-    parameters: Vec<ParameterContext>,
+    /// How many statements were verified; where they are many, a line of `claims` tells of several.
+    pub(super) verdicts: usize,
     downloads: Vec<DownloadContext<'a>>,
 }
 
@@ -80,29 +90,33 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
         Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter), None),
         Drawing::Pictures(drawn) => ("pictures", pictures::html(&exhibit.id, drawn, &rendering.converter), None),
     };
-    let downloads = rendering.files[index].iter();
     let below = match &shown.drawing {
         Drawing::Stepper(drawn) => stepper::html(&exhibit.id, drawn, rendering, &mut diagnostics),
         _ => String::new(),
     };
-    let context = ExhibitContext {
-        id: &exhibit.id,
-        class,
-        label: label(rendering, &exhibit.id),
-        caption,
-        body,
-        below,
-        width,
-        alt: &shown.alt,
-        kind: exhibit.experiment.kind().about().key,
-        seed: exhibit.seed,
-        key: &shown.key[..SHORT_KEY.min(shown.key.len())],
-        claims: claims(&shown.verdicts, exhibit),
-        parameters: parameters(exhibit),
-        downloads: downloads.map(|file| DownloadContext { href: &file.path, label: &file.label }).collect(),
-    };
+    let provenance = provenance(rendering, index);
+    let context = ExhibitContext { provenance, class, caption, body, below, width, alt: &shown.alt };
     let html = rendering.templates.fill("exhibit.html", &ExhibitPart { exhibit: context }, &mut diagnostics);
     (html, diagnostics)
+}
+
+/// How the exhibit with this index in the plan was made.
+pub(super) fn provenance<'a>(rendering: &'a Rendering<'_>, index: usize) -> Provenance<'a> {
+    let exhibit = &rendering.plan.exhibits[index];
+    let shown = &rendering.shown[index];
+    let downloads = rendering.files[index].iter();
+    Provenance {
+        id: &exhibit.id,
+        label: label(rendering, &exhibit.id),
+        kind: exhibit.experiment.kind().about().key,
+        parameters: parameters(exhibit),
+        seed: exhibit.seed,
+        key: &shown.key,
+        short_key: &shown.key[..SHORT_KEY.min(shown.key.len())],
+        claims: claims(&shown.verdicts, exhibit),
+        verdicts: shown.verdicts.len(),
+        downloads: downloads.map(|file| DownloadContext { href: &file.path, label: &file.label }).collect(),
+    }
 }
 
 /// A listing with its caption and where its code stands.

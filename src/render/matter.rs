@@ -44,8 +44,15 @@ pub(super) const KINDS: Matter = Matter {
 pub(super) const BIBLIOGRAPHY: Matter =
     Matter { title: "Bibliography", href: "bibliography.html", summary: "The works that the chapters cite." };
 
+/// What the build knows of itself.
+pub(super) const MADE: Matter = Matter {
+    title: "How this book was made",
+    href: "made.html",
+    summary: "What is computed, how claims are verified, and where every number comes from.",
+};
+
 /// The pages that are no chapters, in their order.
-pub(super) const MATTER: [Matter; 4] = [EXHIBITS, TERMS, KINDS, BIBLIOGRAPHY];
+pub(super) const MATTER: [Matter; 5] = [EXHIBITS, TERMS, KINDS, BIBLIOGRAPHY, MADE];
 
 /// Those of them that this book has.
 pub(super) fn of(rendering: &Rendering<'_>) -> impl Iterator<Item = &'static Matter> {

@@ -5,6 +5,7 @@ pub(crate) mod data;
 mod exhibit;
 mod landing;
 pub(crate) mod machine;
+mod made;
 mod markdown;
 mod matter;
 mod pages;

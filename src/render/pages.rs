@@ -5,8 +5,9 @@ use serde_json::json;
 
 use super::Rendering;
 use super::landing;
+use super::made::made;
 use super::markdown::Writer;
-use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, Matter, TERMS};
+use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MADE, Matter, TERMS};
 use super::templates::ASSETS;
 use super::terms;
 use crate::diag::Diagnostic;
@@ -108,6 +109,7 @@ pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) 
         matter_page(rendering, &EXHIBITS, json!({ "groups": groups }), diagnostics),
         matter_page(rendering, &KINDS, json!({ "kinds": matter::kinds(rendering) }), diagnostics),
         matter_page(rendering, &BIBLIOGRAPHY, json!({ "entries": rendering.citations.list() }), diagnostics),
+        matter_page(rendering, &MADE, made(rendering), diagnostics),
     ];
     if !rendering.plan.terms.is_empty() {
         let letters = terms::letters(rendering, diagnostics);

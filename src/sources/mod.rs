@@ -33,6 +33,21 @@ pub fn text(path: &str) -> Option<&'static str> {
     std::str::from_utf8(embedded::FILES.get(at)?.1).ok()
 }
 
+/// The locked version of the package `name`, if it is known: the newest if there are several.
+pub fn locked(name: &str) -> Option<&'static str> {
+    version(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.lock")), name)
+}
+
+/// The version of the package `name` in the text of a `Cargo.lock`.
+fn version<'l>(locked: &'l str, name: &str) -> Option<&'l str> {
+    let field = |stanza: &'l str, field: &str| {
+        stanza.lines().find_map(|line| line.strip_prefix(field)?.strip_prefix(" = \"")?.strip_suffix('"'))
+    };
+    // Stanzas of one package are sorted by version.
+    let stanzas = locked.split("[[package]]").filter(|stanza| field(stanza, "name") == Some(name));
+    field(stanzas.last()?, "version")
+}
+
 /// The digests of the sources that this library was compiled from.
 pub fn sources() -> &'static Table<'static> {
     &embedded::DIGESTS

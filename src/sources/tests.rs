@@ -208,3 +208,14 @@ fn every_part_of_the_library_is_known_to_compute_or_not() {
         assert!(computing.contains(&part), "{file}: can it change a number? Then name it here; else in NOT_COMPUTING");
     }
 }
+
+#[test]
+fn a_locked_version_is_that_of_its_package() {
+    assert_eq!((version(LOCK, "rand"), version(LOCK, "workbook")), (Some("0.10.0"), Some("0.1.0")));
+    assert_eq!((version(LOCK, "ran"), version("", "rand")), (None, None));
+    let twice = LOCK.replace("workbook", "rand");
+    assert_eq!(version(&twice, "rand"), Some("0.1.0"), "the last of them");
+    for package in ["rand", "pxfm", "plotters"] {
+        assert!(locked(package).is_some_and(|version| version.starts_with('0')), "{package}");
+    }
+}

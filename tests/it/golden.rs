@@ -27,8 +27,8 @@ type Texts = BTreeMap<String, String>;
 const DIAGNOSTICS: &str = "expected.txt";
 /// The folder with the book.
 const BOOK: &str = "expected/";
-/// The page that tells every kind of this build.
-const KINDS_PAGE: &str = "kinds.html";
+/// The pages that tell of this build: its kinds, its code.
+const OWN_PAGES: [&str; 2] = ["kinds.html", "made.html"];
 /// The list of files that are no pages.
 const OTHERS: &str = "expected/others.txt";
 
@@ -112,10 +112,10 @@ fn given(case: &str) -> Texts {
     texts
 }
 
-/// Whether a file is expected as a text: the page of kinds is that of this build, and of the gallery, which is large, the drawings and
+/// Whether a file is expected as a text: the pages of kinds and of how the book was made are those of this build, and of the gallery, which is large, the drawings and
 /// data are in the list of files, each with its digest.
 fn is_compared(path: &str, case: &str) -> bool {
-    path == "figures.json" || (extension(path) == Some("html") && path != KINDS_PAGE && case != "gallery")
+    path == "figures.json" || (extension(path) == Some("html") && !OWN_PAGES.contains(&path) && case != "gallery")
 }
 
 /// The keys of all exhibits.
@@ -135,7 +135,7 @@ fn without_keys(mut text: String, keys: &[String]) -> String {
 
 /// What a file that is no page is: that of the templates, one that begins with it, or its digest.
 fn other(path: &str, bytes: &[u8]) -> String {
-    if path == KINDS_PAGE || extension(path) == Some("html") {
+    if OWN_PAGES.contains(&path) || extension(path) == Some("html") {
         return "a page".to_owned();
     }
     let template = fs::read(Path::new(PACKAGE).join("templates").join(path));

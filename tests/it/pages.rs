@@ -56,7 +56,7 @@ fn pages(book: &BTreeMap<String, Vec<u8>>) -> Vec<Page> {
             Page { path: path.clone(), elements, errors }
         })
         .collect();
-    assert!(pages.len() >= 5);
+    assert!(pages.len() >= 8);
     pages
 }
 
@@ -264,4 +264,47 @@ fn tables_and_headings_are_in_order() {
             }
         }
     }
+}
+
+#[test]
+fn machines_and_readers_are_told_how_every_exhibit_was_made() {
+    let course = Course::case("everything");
+    let composed = course.compose(2);
+    let book = composed.book.files;
+    let figures: serde_json::Value = serde_json::from_slice(&book["figures.json"]).unwrap();
+    let exhibits = figures["exhibits"].as_array().unwrap();
+    assert_eq!(exhibits.len(), composed.plan.exhibits.len());
+    let page = pages(&book).into_iter().find(|page| page.path == "made.html").unwrap();
+    let items: Vec<&Element> = page.elements.iter().filter(|element| element.name == "li").collect();
+    let (mut claims, mut links) = (0, BTreeSet::new());
+    for (exhibit, planned) in exhibits.iter().zip(&composed.plan.exhibits) {
+        let text = |field: &str| exhibit[field].as_str().unwrap_or_else(|| panic!("{field}: {exhibit}")).to_owned();
+        assert_eq!(text("id"), planned.id, "in the order of the book");
+        let (file, line) =
+            text("place").split_once(':').map(|(f, l)| (f.to_owned(), l.parse::<usize>().unwrap())).unwrap();
+        assert_eq!(course.read(&file).lines().nth(line - 1), Some("```experiment"), "{exhibit}");
+        assert!(text("key").len() == 64 && exhibit["seed"].is_u64() && exhibit["parameters"].is_object(), "{exhibit}");
+        assert!(!exhibit["values"].as_object().unwrap().is_empty(), "{exhibit}");
+        assert!(text("number").contains('.') && file.ends_with(&format!("{}.md", text("chapter"))), "{exhibit}");
+        let files: Vec<&str> = exhibit["files"].as_array().unwrap().iter().map(|file| file.as_str().unwrap()).collect();
+        assert_eq!(files[0], format!("{}.html#{}", text("chapter"), text("id")));
+        assert!(files.len() > 2 && files[1..].iter().all(|file| book.contains_key(*file)), "{files:?}");
+        let item =
+            items.iter().find(|item| item.text.contains(&text("key")) && item.text.contains(&text("id"))).unwrap();
+        assert!(item.text.contains(&text("kind")), "{}", item.text);
+        for claim in exhibit["claims"].as_array().unwrap() {
+            let (value, bound) = (claim["value"].as_str().unwrap(), claim["bound"].as_str().unwrap());
+            assert_eq!((claim["measured"].is_null(), bound.is_empty(), &claim["holds"]), (false, false, &true.into()));
+            assert_eq!(exhibit["values"][value], claim["measured"]);
+            claims += 1;
+        }
+        links.insert(files[0].to_owned());
+    }
+    let tally = page.elements.iter().find(|element| element.get("class") == "tally").unwrap();
+    let told = format!("{} exhibits computed. {claims} claims: all hold.", exhibits.len());
+    assert_eq!(tally.text, told);
+    let linked: BTreeSet<String> = page.elements.iter().map(|element| element.get("href").to_owned()).collect();
+    assert!(links.is_subset(&linked), "{linked:?}");
+    let engine = workbook::sources::sources().engine().to_string();
+    assert!(page.elements.iter().any(|element| element.name == "code" && element.text == engine));
 }
