@@ -54,6 +54,8 @@ mod properties;
 mod review;
 mod settings;
 #[cfg(feature = "publish")]
+mod slides;
+#[cfg(feature = "publish")]
 mod spectral;
 mod statistics;
 #[cfg(feature = "publish")]
