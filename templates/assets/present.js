@@ -170,7 +170,7 @@
   function enter(to) {
     if (deck || !article) return;
     var from = inView();
-    entered = { y: window.scrollY, at: 0 };
+    entered = { y: window.scrollY, at: 0, focus: document.activeElement };
     furniture();
     root.classList.add("presenting");
     model = workbook.slides.of(article, deck);
@@ -200,8 +200,7 @@
     if (workbook.speaker) workbook.speaker.update();
     if (same) window.scrollTo({ top: y, behavior: "instant" });
     else if (node) node.scrollIntoView({ block: "start", behavior: "instant" });
-    var open = document.querySelector(".present-open");
-    if (open && open.offsetParent) open.focus({ preventScroll: true });
+    entered.focus.focus({ preventScroll: true });
   }
 
   // Runs the command of a key; says whether there is one.

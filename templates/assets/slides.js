@@ -92,9 +92,9 @@
     return shown;
   }
 
-  // Whether anything of the slide is cut off.
+  // Whether the slide holds more than it has room for; accents and roots may reach a little below their line.
   function over(slide) {
-    if (slide.body.scrollHeight > slide.body.clientHeight + 1 || slide.body.scrollWidth > slide.body.clientWidth + 1) return true;
+    if (slide.body.scrollHeight > slide.body.clientHeight + 6 || slide.body.scrollWidth > slide.body.clientWidth + 1) return true;
     return list(slide.fit.querySelectorAll("pre, .table-wrap, .exhibit-body, math[display=block]")).some(function (box) {
       return box.scrollWidth > box.clientWidth + 1;
     });
@@ -156,6 +156,9 @@
     },
 
     restore: function () {
+      this.slides.forEach(function (slide) {
+        list(slide.fit.querySelectorAll("math[display=block]")).forEach(function (math) { math.removeAttribute("style"); });
+      });
       this.moved.reverse().forEach(function (pair) { pair[1].replaceWith(pair[0]); });
       this.moved = [];
     },
@@ -193,8 +196,8 @@
       if (!items.length || this.follow(items)) return;
       var slide = this.open("text");
       items.forEach(function (item) { slide.fit.append(item.node); });
-      var room = slide.body.clientHeight, top = slide.fit.offsetTop;
-      var edges = items.map(function (item) { return [item.node.offsetTop - top, item.node.offsetTop - top + item.node.offsetHeight]; });
+      var room = slide.body.clientHeight;
+      var edges = items.map(function (item) { return [item.node.offsetTop, item.node.offsetTop + item.node.offsetHeight]; });
       var share = edges[edges.length - 1][1] / Math.ceil(edges[edges.length - 1][1] / room), start = 0, first = 0;
       items.forEach(function (item, at) {
         var full = edges[at][1] - start > room, fair = share < room && (edges[at][0] + edges[at][1]) / 2 - start > share;
@@ -301,6 +304,7 @@
       slide.head.remove();
       slide.fit.append(copy(header));
       this.placed(header);
+      this.heading(copy(header.querySelector("h1")));
     },
 
     build: function () {
