@@ -9,7 +9,9 @@
   var SHORT = 140;  // a second sentence is shown if both are not longer than this
   var LEAD = 230;   // text that is not longer than this stands above the exhibit that follows it
   var BELOW = 170;  // and text that is not longer than this below it, if it is a drawing
-  var WHOLE = 330;  // paragraphs of bugs and exercises that are not longer than this are shown whole
+  var WHOLE = 330;  // paragraphs of bugs that are not longer than this are shown whole
+  var LINES = 12;   // longer listings stand alone
+  var SMALL = 0.65; // a table that would have to be smaller than this goes on to another slide
   var NO_TEXT = ".permalink, .footnote-reference, .side-note";
 
   function list(things) { return Array.prototype.slice.call(things); }
@@ -76,7 +78,8 @@
     var open = !/[.!?][”’)]*$/.test(paragraph.textContent.trim()); // it leads on to what follows
     var sizes = all.map(length), sum = sizes.reduce(function (a, b) { return a + b; }, 0);
     all.forEach(function (sentence, at) {
-      var shows = at === 0 || (whole && sum <= WHOLE) || sentence.querySelector("dfn, strong") || (open && at === all.length - 1) ||
+      if (!/[\p{L}\d]/u.test(sentence.textContent)) return; // such as the box at the end of a proof
+      var shows = at === 0 || sum <= whole || sentence.querySelector("dfn, strong") || (open && at === all.length - 1) ||
         (at === 1 && sizes[0] + sizes[1] <= SHORT);
       if (!shows) return;
       var point = shown.length && shown[shown.length - 1].last === at - 1 ? shown[shown.length - 1] : null;
@@ -158,6 +161,10 @@
     restore: function () {
       this.slides.forEach(function (slide) {
         list(slide.fit.querySelectorAll("math[display=block]")).forEach(function (math) { math.removeAttribute("style"); });
+        list(slide.fit.querySelectorAll(".slide-off")).forEach(function (row) {
+          row.classList.remove("slide-off");
+          if (!row.className) row.removeAttribute("class");
+        });
       });
       this.moved.reverse().forEach(function (pair) { pair[1].replaceWith(pair[0]); });
       this.moved = [];
@@ -201,7 +208,9 @@
       var share = edges[edges.length - 1][1] / Math.ceil(edges[edges.length - 1][1] / room), start = 0, first = 0;
       items.forEach(function (item, at) {
         var full = edges[at][1] - start > room, fair = share < room && (edges[at][0] + edges[at][1]) / 2 - start > share;
-        var from = item.block && at && items[at - 1].leads ? at - 1 : at; // what leads on stays with what it leads to
+        var from = at;
+        // What leads on stays with what it leads to, and a sentence with the formula that it goes on from.
+        while (from > first && (items[from].block ? items[from - 1].leads : items[from].node.matches(".point-on"))) from -= 1;
         if ((full || fair) && from > first) {
           slide = self.open("text");
           items.slice(from).forEach(function (item) { slide.fit.append(item.node); });
@@ -231,12 +240,14 @@
     // An exhibit or a listing has a slide, with the text before it if that is short.
     exhibit: function (node, from) {
       var lead = this.pending, self = this;
-      if (weight(lead) > LEAD) { this.flush(); lead = []; }
+      var long = node.querySelectorAll("tbody tr").length > LINES || (node.matches(".listing") && node.textContent.split("\n").length > LINES);
+      if (weight(lead) > LEAD || long) { this.flush(); lead = []; }
       this.pending = [];
       var kind = node.matches(".listing") ? "code" : node.matches(".exhibit-table") ? "table" : node.matches(".exhibit-pictures") ? "pictures" : "figure";
       var slide = this.open(kind);
+      if (lead.length) slide.body.insertBefore(make("div", "slide-before"), slide.fit);
       lead.forEach(function (item) {
-        slide.fit.append(item.node);
+        slide.body.firstChild.append(item.node);
         slide.notes.push.apply(slide.notes, item.notes);
         self.placed(item.from);
       });
@@ -249,8 +260,29 @@
         else make("p", "slide-caption", slide.body).append(sentences(caption)[0]);
         slide.notes.push(caption);
       }
-      slide.room = (kind === "figure" ? BELOW : LEAD) - weight(lead);
+      slide.room = long ? 0 : (kind === "figure" ? BELOW : LEAD) - weight(lead);
       this.placed(from);
+      if (kind === "table") this.pages(slide, node);
+    },
+
+    // A long table goes on, with its head, on as many slides as it takes.
+    pages: function (slide, node) {
+      var rows = node.querySelectorAll("tbody tr").length;
+      var count = Math.min(Math.ceil(slide.fit.offsetHeight * SMALL / (slide.body.clientHeight - 50)), rows), each = Math.ceil(rows / count);
+      if (count < 2) return;
+      var whole = copy(node.parentElement), caption = slide.body.querySelector(".slide-caption"), self = this;
+      function only(root, page) {
+        list(root.querySelectorAll("tbody tr")).forEach(function (row, at) { row.classList.toggle("slide-off", Math.floor(at / each) !== page); });
+        if (page < count - 1) list(root.querySelectorAll("tfoot")).forEach(function (foot) { foot.classList.add("slide-off"); });
+      }
+      only(slide.fit, 0);
+      for (var page = 1; page < count; page++) {
+        var more = self.open("table");
+        more.fit.append(whole.cloneNode(true));
+        only(more.fit, page);
+        if (caption) more.body.append(caption.cloneNode(true));
+        more.notes = slide.notes;
+      }
     },
 
     heading: function (fragment) {
@@ -265,7 +297,9 @@
       var before = this.title, authored = this.authored, self = this;
       var head = node.querySelector(":scope > .callout-title");
       this.heading(copy(head));
-      list(node.children).forEach(function (child) { if (child !== head) self.block(child, from, true); });
+      // The question of an exercise is never cut.
+      var whole = node.matches(".callout-exercise") ? Infinity : WHOLE;
+      list(node.children).forEach(function (child) { if (child !== head) self.block(child, from, whole); });
       this.flush();
       this.heading(before);
       this.authored = authored;
@@ -311,7 +345,7 @@
       var self = this;
       list(this.article.children).forEach(function (node) {
         if (node.matches(".opening")) self.opening(node);
-        else self.block(node, node, false);
+        else self.block(node, node, 0);
       });
       this.flush();
       this.slides.forEach(function (slide, at) {
