@@ -292,9 +292,16 @@
   };
 
   offer();
-  list(document.querySelectorAll(".present-open")).forEach(function (open) {
-    open.hidden = false;
+  // The button stands beside that of the theme, wherever this is: as an icon among icons, as words among words.
+  list(document.querySelectorAll(".theme-toggle")).forEach(function (beside) {
+    var icon = beside.classList.contains("tool"), open = document.createElement("button");
+    open.type = "button";
+    open.className = icon ? "tool present-open" : "present-open";
+    if (icon) open.setAttribute("aria-label", "Present as slides");
+    else open.textContent = "Present as slides";
+    open.title = "Present as slides (P)";
     open.addEventListener("click", function () { enter(); });
+    beside.after(open);
   });
   // Sizes are measured: the other scripts have done their part, and the fonts are there.
   document.addEventListener("DOMContentLoaded", function () {
