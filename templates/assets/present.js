@@ -214,7 +214,8 @@
     if (event.key === "Enter" && deck.classList.contains("deck-over")) { overview(); return true; }
     var command = COMMANDS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (event.key === " " && event.shiftKey) command = previous;
-    if (!command) return false;
+    // The page's other keys, such as that of the search, would act behind the slides.
+    if (!command) return event.key.length === 1;
     command();
     return true;
   }
