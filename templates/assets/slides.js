@@ -1,4 +1,4 @@
-// Slides from the page: which of its blocks stand on which slide, and which go to the speaker's notes. `present.js` shows them.
+// Slides from the page: which of its blocks stand on which slide, and which go to the speaker's notes. `deck.js` shows them.
 //
 // Headings give titles. Exhibits, listings and exercises have slides of their own; between them stand definitions, equations and lists, with
 // the first sentence of each paragraph and those that define or stress something. Whole paragraphs go to the notes. Marks of the author,

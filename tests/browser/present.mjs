@@ -6,7 +6,7 @@
 /** What the page knows of its slides. */
 function state(page) {
   return page.evaluate(() => {
-    const { slides, at, open, paused, step } = window.workbook.present.state();
+    const { slides, at, open, paused, step } = window.workbook.deck.state();
     return { count: slides.length, at, open, paused, step: step && step.now, steps: step && step.count, hash: location.hash };
   });
 }
@@ -21,7 +21,7 @@ async function begin(page) {
 /** Whether every slide holds what is on it, at a size that can be read. */
 function slidesThatFail(page) {
   return page.evaluate(() => {
-    const deck = window.workbook.present.state().slides;
+    const deck = window.workbook.deck.state().slides;
     return deck.flatMap((slide, at) => {
       window.workbook.slides.fit(slide);
       const told = [];
@@ -40,7 +40,7 @@ function slidesThatFail(page) {
 /** The text of the page that is on no slide and in no notes. */
 function lostText(page) {
   return page.evaluate(() => {
-    const slides = window.workbook.present.state().slides;
+    const slides = window.workbook.deck.state().slides;
     const noted = new Set(slides.flatMap((slide) => slide.notes));
     return [...document.querySelectorAll("article.text > p")].filter((p) => !noted.has(p)).map((p) => p.textContent.slice(0, 60));
   });
@@ -108,7 +108,7 @@ async function speaker(page, report) {
   await view.keyboard.press("ArrowRight");
   if ((await state(page)).at !== 2) report("the speaker's window does not lead");
   const parts = await view.evaluate(() => ["now", "next", "timer", "clock"].filter((part) => !document.querySelector(`.speaker-${part}`).textContent.trim()));
-  const [noted, notes] = [await page.evaluate(() => window.workbook.present.state().slides[2].notes.length), await view.locator(".speaker-notes > *").count()];
+  const [noted, notes] = [await page.evaluate(() => window.workbook.deck.state().slides[2].notes.length), await view.locator(".speaker-notes > *").count()];
   if (noted !== notes) report(`the speaker's window has ${notes} of ${noted} notes`);
   if (parts.length) report(`empty in the speaker's window: ${parts.join(", ")}`);
   await view.close();
