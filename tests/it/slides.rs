@@ -50,3 +50,21 @@ fn scripts_of_slides_are_classic_and_ask_nobody() {
         assert!(script.lines().count() < 400, "{name}");
     }
 }
+
+#[test]
+fn misplaced_marks_are_told() {
+    let composed = Course::case("wrong-slides").compose(2);
+    let told: Vec<&str> = composed.diagnostics.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
+    for message in [
+        "these notes are empty",
+        "a callout `[!SLIDE]` has no number to refer to",
+        "a numbered equation stands within a mark `[!NOTES]`, which readers do not see",
+        "a callout with a number stands within a mark `[!NOTES]`, which readers do not see",
+        "a mark `[!SLIDE]` stands by itself",
+        "a mark `[!NOTES]` stands by itself",
+        "there is no callout `[!SLIDES]`",
+    ] {
+        assert_eq!(told.iter().filter(|told| **told == message).count(), 1, "{message}: {told:?}");
+    }
+    assert_eq!(told.len(), 7, "{told:?}");
+}
