@@ -14,6 +14,7 @@ mod behaviour;
 mod bite;
 #[cfg(feature = "publish")]
 mod cache;
+mod catalogue;
 mod checks;
 #[cfg(feature = "publish")]
 mod cli;
