@@ -197,8 +197,7 @@ impl Kind for SpectrumKind {
 impl Curve {
     /// The ring of the greatest power, counted from 1.
     fn peak(&self) -> Option<(usize, &Mean)> {
-        let rings = self.rings.iter().enumerate().map(|(index, ring)| (index + 1, ring));
-        rings.max_by(|a, b| a.1.power.total_cmp(&b.1.power))
+        (1..).zip(&self.rings).max_by(|a, b| a.1.power.total_cmp(&b.1.power))
     }
 }
 
@@ -332,7 +331,7 @@ mod drawing {
             Show::Logarithmic => Chart::new(logarithmic(p, data)),
             Show::Anisotropy => Chart::new(anisotropy(data)),
             Show::Both => {
-                let both = |curve: &Curve| [panel(p, curve), lines(p, std::slice::from_ref(curve)).ratio(1.0)];
+                let both = |curve| [panel(p, curve), lines(p, std::slice::from_ref(curve)).ratio(1.0)];
                 Chart::grid(data.curves.iter().flat_map(both).collect()).columns(2)
             }
         };
@@ -394,10 +393,8 @@ mod drawing {
         let panel = Panel::new(Axis::log2("frequency").range(1.0, p.reach as f64), Axis::log("mean power")).ratio(0.62);
         let panel = panel.with(Rule::horizontal(1.0).style(Style::THEORY)).with_all(theory(&data.curves));
         panel.with_all(data.curves.iter().map(|curve| {
-            let label = match curve.slope {
-                Some((slope, _)) => format!("{} ({})", curve.title, fixed(slope, 2)),
-                None => curve.title.clone(),
-            };
+            let sloped = |(slope, _)| format!("{} ({})", curve.title, fixed(slope, 2));
+            let label = curve.slope.map_or_else(|| curve.title.clone(), sloped);
             through(curve, |ring| if ring.power > 1e-12 { ring.power } else { f64::NAN }).label(label)
         }))
     }
@@ -424,7 +421,7 @@ mod drawing {
                 Show::Logarithmic => "Mean power over the length of the frequency, on logarithmic axes.",
                 Show::Anisotropy => "Anisotropy along rings over the length of the frequency, in decibels.",
                 Show::Both =>
-                    "Grey images, black for no power and white for twice that of independent points, and the mean power over the length of the frequency.",
+                    "Grey images, white for twice the power of independent points, and the mean power over the frequency.",
             }
         );
         for curve in &data.curves {
