@@ -1,8 +1,10 @@
 //! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
 
 mod citations;
+mod code;
 pub(crate) mod data;
 mod exhibit;
+mod highlight;
 mod landing;
 pub(crate) mod machine;
 mod made;

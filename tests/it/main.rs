@@ -34,6 +34,8 @@ mod golden;
 #[cfg(feature = "publish")]
 mod kinds;
 #[cfg(feature = "publish")]
+mod listings;
+#[cfg(feature = "publish")]
 mod lock;
 mod measures;
 #[cfg(feature = "publish")]
