@@ -28,6 +28,8 @@ mod enumeration;
 mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
+mod formulas;
+#[cfg(feature = "publish")]
 mod gallery;
 #[cfg(feature = "publish")]
 mod golden;
