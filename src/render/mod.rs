@@ -12,6 +12,7 @@ mod markdown;
 mod matter;
 mod pages;
 mod pictures;
+mod search;
 mod stepper;
 mod table;
 mod templates;
@@ -71,6 +72,8 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     for (path, bytes) in pages::all(&rendering, &mut diagnostics) {
         book.files.insert(path, bytes.into_bytes());
     }
+    let (path, index) = search::file(&rendering);
+    book.files.insert(path, index.into_bytes());
     book.files.extend(rendering.templates.assets());
     book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
     book.files.extend(rendering.files.into_iter().flatten().map(|file| (file.path, file.bytes)));

@@ -56,6 +56,8 @@ mod points;
 mod properties;
 #[cfg(feature = "publish")]
 mod review;
+#[cfg(feature = "publish")]
+mod search;
 mod settings;
 #[cfg(feature = "publish")]
 mod spectral;
