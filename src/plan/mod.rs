@@ -15,6 +15,7 @@ mod listing;
 mod literal;
 mod references;
 mod seen;
+mod slides;
 mod slug;
 pub mod terms;
 mod typed;
@@ -102,6 +103,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
     plan.terms = terms::find(course, &plan, workspace, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
     emphasis::check(course, workspace, &mut diagnostics);
+    slides::check(course, &mut diagnostics);
     typed::check(course, &plan, workspace, &mut diagnostics);
     (plan, diagnostics)
 }

@@ -6,10 +6,13 @@
   var HALF = 31;
   // What a word is worth by where it stands: title > heading > term > caption > text.
   var TITLES = {
-    Chapter: 100, Appendix: 100, Section: 80, Sampler: 75, Scramble: 75, Integrand: 75, Measure: 75, Scene: 75, Term: 70, Definition: 65,
+    Chapter: 100, Appendix: 100, Catalogue: 90, Section: 80, Sampler: 75, Scramble: 75, Integrand: 75, Measure: 75, Scene: 75, Term: 70, Definition: 65,
     Exercise: 45, Page: 60, Figure: 40, Table: 40, Listing: 40, "Kind of experiment": 35
   };
   var LABEL = 45, MORE = 22, TEXT = 12;
+  // The sections of the text, in the order in which the words count them.
+  function hasText(entry) { return entry.kind === "Section" || (!entry.id && entry.kind !== "Page"); }
+
   var PLAIN = { "ß": "ss", "ø": "o", "ł": "l", "æ": "ae", "œ": "oe", "đ": "d", "ı": "i" };
 
   function fold(text) {
@@ -100,7 +103,7 @@
       words(entry.more).forEach(function (word) { enter(word, at, MORE); });
     });
     var written = [];
-    entries.forEach(function (entry, at) { if (/^(Chapter|Appendix|Section)$/.test(entry.kind)) written.push(at); });
+    entries.forEach(function (entry, at) { if (hasText(entry)) written.push(at); });
     unpack(data, function (word, section) { if (section < written.length) enter(word, written[section], TEXT); });
 
     // The entries that a word finds, each with its worth and the words that were meant.
@@ -172,7 +175,7 @@
     return pieces;
   }
 
-  var parts = { index: index, marked: marked, words: words, slips: slips };
+  var parts = { hasText: hasText, index: index, marked: marked, words: words, slips: slips };
   if (typeof module === "object" && module.exports) module.exports = parts;
   else Object.assign(workbook.search, parts);
 })();

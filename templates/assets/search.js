@@ -81,7 +81,7 @@
     var meant = book.search.words(entry.title + " " + entry.more + " " + entry.kind + " " + entry.number);
     var more = entry.more;
     var inside = Array.from(one.words).filter(function (word) { return meant.indexOf(word) < 0; });
-    if (inside.length && /^(Chapter|Appendix|Section)$/.test(entry.kind)) more = "In the text: " + inside.slice(0, 6).join(", ") + (inside.length > 6 ? " …" : "");
+    if (inside.length && book.search.hasText(entry)) more = "In the text: " + inside.slice(0, 6).join(", ") + (inside.length > 6 ? " …" : "");
     if (more) {
       link.appendChild(document.createTextNode(" "));
       write(more, one.words, element("span", { "class": "search-more" }, link));

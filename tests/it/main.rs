@@ -14,6 +14,7 @@ mod behaviour;
 mod bite;
 #[cfg(feature = "publish")]
 mod cache;
+mod catalogue;
 mod checks;
 #[cfg(feature = "publish")]
 mod cli;
@@ -59,6 +60,8 @@ mod review;
 #[cfg(feature = "publish")]
 mod search;
 mod settings;
+#[cfg(feature = "publish")]
+mod slides;
 #[cfg(feature = "publish")]
 mod spectral;
 mod statistics;

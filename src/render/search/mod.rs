@@ -94,8 +94,11 @@ impl Gathering<'_> {
         let Some(section) = sections.iter().find(|section| section.title.start == at + 1) else { return at };
         let nodes = &self.rendering.course.chapters[chapter].content.nodes;
         let title = self.plain(chapter, &nodes[section.title.clone()]);
-        self.enter("Section", page, &section.id, title).number.clone_from(&section.number);
-        self.section = self.posts.open();
+        // Every page of a catalogue's member has the same sections: the page itself is what is looked for.
+        if !self.rendering.course.chapters[chapter].member {
+            self.enter("Section", page, &section.id, title).number.clone_from(&section.number);
+            self.section = self.posts.open();
+        }
         section.title.end
     }
 
