@@ -175,7 +175,7 @@
     return pieces;
   }
 
-  var parts = { hasText: hasText, index: index, marked: marked, words: words, slips: slips };
+  var parts = { hasText: hasText, index: index, unpack: unpack, marked: marked, words: words, slips: slips };
   if (typeof module === "object" && module.exports) module.exports = parts;
   else Object.assign(workbook.search, parts);
 })();

@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import { join } from "node:path";
 
 const require = createRequire(import.meta.url);
-const { index, marked, words, slips } = require("../../templates/assets/search-match.js");
+const { index, marked, words, slips, unpack } = require("../../templates/assets/search-match.js");
 
 // An index as the build writes one: four sections, of which the first is the chapter.
 const small = index({
@@ -36,6 +36,11 @@ const tests = {
     // Section 0 and 3 of the text are the chapter and the last section.
     assert.deepEqual(titles("halton"), ["Jittered sampling", "What remains"]);
     assert.deepEqual(new Set(titles("strata")), new Set(["Jittered points and Sobol’s, with strata", "Stratification", "What remains"]));
+  },
+  "large differences take more letters"() {
+    const sections = [];
+    unpack({ words: "0a", posts: "0uv1C3Dw1" }, (word, section) => sections.push(section));
+    assert.deepEqual(sections, [0, 30, 61, 161, 1161]);
   },
   "slips are counted, exchanged neighbours as one"() {
     assert.deepEqual(slips("halotn", "halton", 1), { whole: 1, beginning: 1 });
