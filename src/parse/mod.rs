@@ -5,6 +5,7 @@
 
 mod callout;
 mod configuration;
+mod emphasis;
 mod events;
 mod fence;
 mod front_matter;
@@ -24,6 +25,7 @@ use crate::diag::{Code, Diagnostic};
 use crate::workspace::{self, Workspace};
 
 pub use configuration::Configuration;
+pub use emphasis::{Emphasis, HELP, fence};
 pub use events::{inline as caption, parser_options};
 pub use fence::Fence;
 pub use front_matter::{Chosen, FrontMatter};

@@ -1,8 +1,10 @@
 //! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
 
 mod citations;
+mod code;
 pub(crate) mod data;
 mod exhibit;
+mod highlight;
 mod landing;
 pub(crate) mod machine;
 mod made;
@@ -10,6 +12,7 @@ mod markdown;
 mod matter;
 mod pages;
 mod pictures;
+mod search;
 mod shelf;
 mod stepper;
 mod table;
@@ -74,6 +77,8 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     for (path, bytes) in pages::all(&rendering, &mut diagnostics) {
         book.files.insert(path, bytes.into_bytes());
     }
+    let (path, index) = search::file(&rendering);
+    book.files.insert(path, index.into_bytes());
     book.files.extend(rendering.templates.assets());
     if course.configuration.catalogue.is_empty() {
         book.files.remove(&format!("{}/{}", templates::ASSETS, shelf::STYLE));
