@@ -5,6 +5,7 @@ mod amount;
 mod bibliography;
 mod changed;
 mod claim;
+mod emphasis;
 mod exhibit;
 mod format;
 mod formula;
@@ -101,6 +102,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
     plan.labels = labels::number(course, &plan, &mut diagnostics);
     plan.terms = terms::find(course, &plan, workspace, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
+    emphasis::check(course, workspace, &mut diagnostics);
     slides::check(course, &mut diagnostics);
     typed::check(course, &plan, workspace, &mut diagnostics);
     (plan, diagnostics)

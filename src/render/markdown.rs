@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use pulldown_cmark::{Alignment, CodeBlockKind, Event, HeadingLevel, Tag, TagEnd};
 
-use super::Rendering;
+use super::{Rendering, code};
 use crate::diag::Diagnostic;
 use crate::exhibits;
 use crate::kinds::Measured;
@@ -24,6 +24,8 @@ pub(super) struct Writer<'a> {
     at: Option<usize>,
     footnotes: Footnotes,
     table: TableState,
+    /// The block of code being written.
+    code: Option<code::Fence>,
     pub(super) diagnostics: Vec<Diagnostic>,
 }
 
@@ -62,6 +64,7 @@ impl<'a> Writer<'a> {
             at: None,
             footnotes: Footnotes::default(),
             table: TableState::default(),
+            code: None,
             diagnostics: Vec::new(),
         }
     }
@@ -118,7 +121,10 @@ impl<'a> Writer<'a> {
         match event {
             Event::Start(tag) => self.start(tag),
             Event::End(tag) => self.end(*tag),
-            Event::Text(text) => self.out.push_str(&escape(text)),
+            Event::Text(text) => match &mut self.code {
+                Some(code) => code.text.push_str(text),
+                None => self.out.push_str(&escape(text)),
+            },
             Event::Code(code) => {
                 let _ = write!(self.out, "<code>{}</code>", escape(code));
             }
@@ -140,7 +146,8 @@ impl<'a> Writer<'a> {
             Tag::Paragraph => self.out.push_str("<p>"),
             Tag::Heading { level, .. } => self.heading(*level),
             Tag::BlockQuote(_) => self.out.push_str("<blockquote>\n"),
-            Tag::CodeBlock(kind) => self.code_block(kind),
+            Tag::CodeBlock(CodeBlockKind::Fenced(info)) => self.code = Some(code::Fence::new(info)),
+            Tag::CodeBlock(CodeBlockKind::Indented) => self.code = Some(code::Fence::new("")),
             Tag::List(None) => self.out.push_str("<ul>\n"),
             Tag::List(Some(1)) => self.out.push_str("<ol>\n"),
             Tag::List(Some(start)) => drop(writeln!(self.out, "<ol start=\"{start}\">")),
@@ -178,7 +185,7 @@ impl<'a> Writer<'a> {
             TagEnd::Paragraph => self.out.push_str("</p>\n"),
             TagEnd::Heading(level) => self.heading_end(level),
             TagEnd::BlockQuote(_) => self.out.push_str("</blockquote>\n"),
-            TagEnd::CodeBlock => self.out.push_str("</code></pre>\n"),
+            TagEnd::CodeBlock => self.out.extend(self.code.take().map(|code| code.html())),
             TagEnd::List(false) => self.out.push_str("</ul>\n"),
             TagEnd::List(true) => self.out.push_str("</ol>\n"),
             TagEnd::Item => self.out.push_str("</li>\n"),
@@ -219,18 +226,6 @@ impl<'a> Writer<'a> {
             );
         }
         let _ = writeln!(self.out, "</{level}>");
-    }
-
-    fn code_block(&mut self, kind: &CodeBlockKind<'_>) {
-        let language = match kind {
-            CodeBlockKind::Fenced(info) => info.split_whitespace().next().unwrap_or_default(),
-            CodeBlockKind::Indented => "",
-        };
-        if language.is_empty() {
-            self.out.push_str("<pre tabindex=\"0\"><code>");
-        } else {
-            let _ = write!(self.out, "<pre tabindex=\"0\"><code class=\"language-{}\">", escape(language));
-        }
     }
 
     fn cell(&mut self) {

@@ -14,6 +14,7 @@ mod behaviour;
 mod bite;
 #[cfg(feature = "publish")]
 mod cache;
+mod catalogue;
 mod checks;
 #[cfg(feature = "publish")]
 mod cli;
@@ -28,11 +29,15 @@ mod enumeration;
 mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
+mod formulas;
+#[cfg(feature = "publish")]
 mod gallery;
 #[cfg(feature = "publish")]
 mod golden;
 #[cfg(feature = "publish")]
 mod kinds;
+#[cfg(feature = "publish")]
+mod listings;
 #[cfg(feature = "publish")]
 mod lock;
 mod measures;
@@ -52,6 +57,8 @@ mod points;
 mod properties;
 #[cfg(feature = "publish")]
 mod review;
+#[cfg(feature = "publish")]
+mod search;
 mod settings;
 #[cfg(feature = "publish")]
 mod slides;
