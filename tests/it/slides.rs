@@ -24,19 +24,25 @@ fn marks_are_on_the_page_and_hidden() {
 
 #[test]
 fn only_chapters_have_slides() {
-    let linked = ["slides.js", "speaker.js", "present.js", "present.css"];
-    for name in linked {
+    for name in ["present.js", "present.css"] {
         let link = format!("assets/{name}\"");
         assert!(page("lecture.html").contains(&link), "{name}");
         assert!(!page("index.html").contains(&link), "{name}");
         assert!(!page("exhibits.html").contains(&link), "{name}");
+    }
+    // What only a lecture needs is loaded when one begins.
+    let page = page("lecture.html");
+    let opener = String::from_utf8(Course::case("slides").compose(2).book.files["assets/present.js"].clone()).unwrap();
+    for name in ["slides.js", "speaker.js", "deck.js", "deck.css"] {
+        assert!(!page.contains(&format!("assets/{name}")), "{name}");
+        assert!(opener.contains(&format!("\"{name}\"")), "{name}");
     }
 }
 
 #[test]
 fn scripts_of_slides_are_classic_and_ask_nobody() {
     let composed = Course::case("slides").compose(2);
-    for name in ["slides.js", "speaker.js", "present.js"] {
+    for name in ["slides.js", "speaker.js", "deck.js", "present.js"] {
         let script = String::from_utf8(composed.book.files[&format!("assets/{name}")].clone()).unwrap();
         for word in ["fetch(", "import(", "import ", "export ", "XMLHttpRequest", "://", "eval("] {
             assert!(!script.contains(word), "{name} has `{word}`");
