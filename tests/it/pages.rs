@@ -305,6 +305,6 @@ fn machines_and_readers_are_told_how_every_exhibit_was_made() {
     assert_eq!(tally.text, told);
     let linked: BTreeSet<String> = page.elements.iter().map(|element| element.get("href").to_owned()).collect();
     assert!(links.is_subset(&linked), "{linked:?}");
-    let engine = workbook::sources::sources().engine().to_string();
+    let engine = workbook::sources::sources().engine.to_string();
     assert!(page.elements.iter().any(|element| element.name == "code" && element.text == engine));
 }
