@@ -1,5 +1,6 @@
 //! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
 
+mod card;
 mod citations;
 pub(crate) mod data;
 mod exhibit;
@@ -10,6 +11,7 @@ mod markdown;
 mod matter;
 mod pages;
 mod pictures;
+mod site;
 mod stepper;
 mod table;
 mod templates;
@@ -35,6 +37,9 @@ pub struct Book {
 
 /// The name of the file that tells machines about every exhibit.
 pub const FIGURES: &str = "figures.json";
+
+/// The name of the map of the site, which a site whose address is known has.
+pub const SITEMAP: &str = "sitemap.xml";
 
 /// What rendering needs to know.
 pub(crate) struct Rendering<'a> {
@@ -70,6 +75,7 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
         book.files.insert(path, bytes.into_bytes());
     }
     book.files.extend(rendering.templates.assets());
+    site::files(&rendering, &mut book);
     book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
     book.files.extend(rendering.files.into_iter().flatten().map(|file| (file.path, file.bytes)));
     for (path, bytes) in &workspace.blobs {
