@@ -139,6 +139,8 @@ codes! {
     Bibliography = "W0007";
     /// A template is broken.
     Template = "W0008";
+    /// Git was asked, and could not tell.
+    History = "W0011";
     // What authors write.
     /// TOML that cannot be read.
     Toml = "W0101";
@@ -184,6 +186,8 @@ codes! {
     TypedNumber = "W0121";
     /// An entry of `[given]` that nothing uses.
     UnusedGiven = "W0122";
+    /// A reference to what students do not get.
+    Withheld = "W0123";
     // What was computed.
     /// An experiment that failed.
     Failed = "W0201";
@@ -200,4 +204,8 @@ codes! {
     BrokenLink = "W0301";
     /// An id that stands twice on a page.
     RepeatedId = "W0302";
+    /// A page that asks another host for something.
+    ForeignRequest = "W0303";
+    /// A page, a file or a site that is heavier than its budget.
+    Heavy = "W0304";
 }

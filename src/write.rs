@@ -52,6 +52,16 @@ pub fn write(book: &Book, out: &Path) -> Result<Outcome, Diagnostic> {
     Ok(Outcome::Written)
 }
 
+/// The same for students, who must not get the lock: it has the values of solutions. A folder that holds one is refused.
+pub fn without_lock(book: &Book, out: &Path) -> Result<Outcome, Diagnostic> {
+    if out.join(LOCK_NAME).exists() {
+        let message = format!("`{}` holds the lock, which has the values of solutions", out.display());
+        let error = Diagnostic::error(Code::NotABook, message);
+        return Err(error.help("name another folder for the students' book with `--out DIR`"));
+    }
+    write(book, out)
+}
+
 /// The committed lock's path in a course.
 pub fn lock_path(root: &Path) -> PathBuf {
     root.join(LOCK)

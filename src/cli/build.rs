@@ -3,21 +3,28 @@
 use std::time::Instant;
 
 use super::progress::Progress;
-use super::{Exit, Options, report, timings};
-use crate::compose::{Composed, compose};
+use super::{Exit, Options, Readers, report, timings};
+use crate::compose::{Composed, Request, compose};
 use crate::diag::{Diagnostic, Severity, any_error};
+use crate::parse::Audience;
 use crate::run::How;
 use crate::verify::{drift, now, read_lock};
 use crate::write;
 
-pub(super) fn run(options: &Options) -> Exit {
+pub(super) fn run(readers: &Readers, options: &Options) -> Exit {
     let start = Instant::now();
-    let mut composed = compose(&options.request(), &Progress::new(options));
+    let request = Request { audience: readers.audience, ..options.request() };
+    let mut composed = compose(&request, &Progress::new(options));
     let mut stages = composed.timings.clone();
     if !any_error(&composed.diagnostics) {
         composed.diagnostics.extend(drifted(&composed, options));
         let writing = Instant::now();
-        match write::write(&composed.book, &options.out()) {
+        let out = options.out(composed.audience);
+        let written = match composed.audience {
+            Audience::Student => write::without_lock(&composed.book, &out),
+            Audience::Instructor => write::write(&composed.book, &out),
+        };
+        match written {
             Ok(outcome) => report::say(&summary(&composed, outcome, start, options), options),
             Err(error) => composed.diagnostics.push(error),
         }
@@ -34,7 +41,9 @@ fn drifted(composed: &Composed, options: &Options) -> Vec<Diagnostic> {
     match read_lock(&options.root) {
         Ok(Some(lock)) => {
             let drifts = drift::compare(&lock, &now(&composed.plan, &composed.shown));
-            drifts.iter().map(|drift| drift.diagnostic(Severity::Warning)).collect()
+            // The lock is of the whole book: what is withheld is not missing.
+            let drifts = drifts.iter().filter(|drift| !composed.withheld.contains(drift.id()));
+            drifts.map(|drift| drift.diagnostic(Severity::Warning)).collect()
         }
         Ok(None) => Vec::new(),
         Err(broken) => broken.into_iter().map(|error| Diagnostic { severity: Severity::Warning, ..error }).collect(),
@@ -44,7 +53,7 @@ fn drifted(composed: &Composed, options: &Options) -> Vec<Diagnostic> {
 fn summary(composed: &Composed, outcome: write::Outcome, start: Instant, options: &Options) -> String {
     let ran = composed.ran.iter().filter(|ran| ran.how != How::Cached).count();
     let claims: usize = composed.shown.iter().map(|shown| shown.verdicts.len()).sum();
-    let place = options.out().join("index.html");
+    let place = options.out(composed.audience).join("index.html");
     let what = match outcome {
         write::Outcome::Written => "wrote",
         write::Outcome::Unchanged => "nothing changed in",

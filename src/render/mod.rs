@@ -1,5 +1,6 @@
 //! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
 
+mod card;
 mod citations;
 mod code;
 pub(crate) mod data;
@@ -14,6 +15,7 @@ mod pages;
 mod pictures;
 mod search;
 mod shelf;
+mod site;
 mod stepper;
 mod table;
 mod templates;
@@ -39,6 +41,9 @@ pub struct Book {
 
 /// The name of the file that tells machines about every exhibit.
 pub const FIGURES: &str = "figures.json";
+
+/// The name of the map of the site, which a site whose address is known has.
+pub const SITEMAP: &str = "sitemap.xml";
 
 /// What rendering needs to know.
 pub(crate) struct Rendering<'a> {
@@ -83,6 +88,7 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     if course.configuration.catalogue.is_empty() {
         book.files.remove(&format!("{}/{}", templates::ASSETS, shelf::STYLE));
     }
+    site::files(&rendering, &mut book);
     book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
     book.files.extend(rendering.files.into_iter().flatten().map(|file| (file.path, file.bytes)));
     for (path, bytes) in &workspace.blobs {

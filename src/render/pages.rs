@@ -9,6 +9,7 @@ use super::made::made;
 use super::markdown::Writer;
 use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MADE, Matter, TERMS};
 use super::shelf::{self, MemberContext};
+use super::site::{self, SiteContext};
 use super::templates::ASSETS;
 use super::terms;
 use crate::diag::Diagnostic;
@@ -26,6 +27,7 @@ pub(super) struct BookContext<'a> {
     catalogue: Vec<ChapterContext<'a>>,
     matter: Vec<MatterContext>,
     version: &'static str,
+    site: SiteContext<'a>,
 }
 
 /// A line of the list of chapters.
@@ -125,6 +127,7 @@ pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) 
     for chapter in 0..rendering.course.chapters.len() {
         pages.push((rendering.href(chapter), chapter_page(rendering, chapter, diagnostics)));
     }
+    pages.extend(site::extra_pages(rendering, diagnostics));
     pages
 }
 
@@ -140,6 +143,7 @@ pub(super) fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> Boo
         catalogue: shelf::shelves(rendering, current).collect(),
         matter: matter::of(rendering).map(MatterContext::from).collect(),
         version: env!("CARGO_PKG_VERSION"),
+        site: site::context(rendering, current),
     }
 }
 
@@ -211,7 +215,7 @@ fn contents(rendering: &Rendering<'_>, chapter: usize) -> Vec<SectionContext> {
 }
 
 /// A page of the book's own, from the template of its name.
-fn matter_page(
+pub(super) fn matter_page(
     rendering: &Rendering<'_>,
     matter: &Matter,
     own: impl Serialize,

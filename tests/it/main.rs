@@ -8,6 +8,8 @@ mod appendices;
 mod asked;
 #[cfg(feature = "publish")]
 mod atomic;
+#[cfg(feature = "publish")]
+mod audience;
 mod battery;
 #[cfg(feature = "publish")]
 mod behaviour;
@@ -74,3 +76,5 @@ mod tidy;
 #[cfg(feature = "publish")]
 mod traps;
 mod typed;
+#[cfg(feature = "publish")]
+mod web;

@@ -73,7 +73,7 @@ const SHARED: &[&str] = &[
 ];
 
 /// Folders that are made, not written.
-const MADE: &[&str] = &[".git", "target", "book", ".workbook"];
+const MADE: &[&str] = &[".git", "target", "book", "book-student", ".workbook"];
 
 /// The most lines of a file that are not empty.
 const LONGEST: usize = 400;
@@ -217,6 +217,11 @@ fn only_the_ends_and_the_cache_touch_the_disk() {
     let names = ["std::fs", "fs::", "File::open", "File::create", "OpenOptions"];
     let allowed = ["workspace.rs", "run/cache.rs", "write.rs", "verify/mod.rs"];
     none(&strays(&names, &allowed), "only the workspace, the cache, the writer and the lock's reader touch the disk");
+}
+
+#[test]
+fn only_the_workspace_runs_other_programs() {
+    none(&strays(&["process::Command", "Command::new"], &["workspace/"]), "only the workspace asks another program");
 }
 
 #[test]
