@@ -1,5 +1,7 @@
 //! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
 
+mod blocks;
+mod callouts;
 mod citations;
 pub(crate) mod data;
 mod exhibit;
@@ -8,8 +10,10 @@ pub(crate) mod machine;
 mod made;
 mod markdown;
 mod matter;
+mod notes;
 mod pages;
 mod pictures;
+mod previews;
 mod stepper;
 mod table;
 mod templates;
@@ -66,7 +70,9 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     let files = files.map(|(exhibit, shown)| data::files(exhibit, &shown.outcome, &shown.drawing)).collect();
     let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates, files };
     let mut book = Book::default();
-    for (path, bytes) in pages::all(&rendering, &mut diagnostics) {
+    let pages = pages::all(&rendering, &mut diagnostics);
+    let previews = previews::files(&rendering, &pages);
+    for (path, bytes) in pages.into_iter().chain(previews) {
         book.files.insert(path, bytes.into_bytes());
     }
     book.files.extend(rendering.templates.assets());

@@ -87,7 +87,6 @@ struct ChapterPage<'a> {
     contents: Vec<SectionContext>,
     previous: Option<Neighbour<'a>>,
     next: Option<Neighbour<'a>>,
-    footnotes: String,
 }
 
 /// A page that the book makes of itself, with what is its own.
@@ -159,8 +158,8 @@ fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -> Option<Ne
 
 fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<Diagnostic>) -> String {
     let chapter = &rendering.course.chapters[index];
-    let written = Writer::new(rendering, index).chapter();
-    diagnostics.extend(written.diagnostics);
+    let (body, complaints) = Writer::new(rendering, index).chapter();
+    diagnostics.extend(complaints);
     let context = ChapterPage {
         book: book(rendering, Some(index)),
         page: PageContext {
@@ -171,11 +170,10 @@ fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<D
             href: rendering.href(index),
         },
         assets: ASSETS,
-        body: written.body,
+        body,
         contents: contents(rendering, index),
         previous: neighbour(rendering, index.checked_sub(1)),
         next: neighbour(rendering, Some(index + 1)),
-        footnotes: written.footnotes,
     };
     rendering.templates.fill("page.html", &context, diagnostics)
 }
