@@ -1,5 +1,7 @@
 //! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
 
+mod blocks;
+mod callouts;
 mod card;
 mod citations;
 mod code;
@@ -11,8 +13,10 @@ pub(crate) mod machine;
 mod made;
 mod markdown;
 mod matter;
+mod notes;
 mod pages;
 mod pictures;
+mod previews;
 mod search;
 mod shelf;
 mod site;
@@ -79,7 +83,9 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     let files = files.collect();
     let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates, files };
     let mut book = Book::default();
-    for (path, bytes) in pages::all(&rendering, &mut diagnostics) {
+    let pages = pages::all(&rendering, &mut diagnostics);
+    let previews = previews::files(&rendering, &pages);
+    for (path, bytes) in pages.into_iter().chain(previews) {
         book.files.insert(path, bytes.into_bytes());
     }
     let (path, index) = search::file(&rendering);

@@ -92,7 +92,6 @@ struct ChapterPage<'a> {
     contents: Vec<SectionContext>,
     previous: Option<Neighbour<'a>>,
     next: Option<Neighbour<'a>>,
-    footnotes: String,
     /// The shelf whose member it is.
     up: Option<Neighbour<'a>>,
     /// The members of the shelf that it is the page of.
@@ -177,8 +176,8 @@ pub(super) fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -
 
 fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<Diagnostic>) -> String {
     let chapter = &rendering.course.chapters[index];
-    let written = Writer::new(rendering, index).chapter();
-    diagnostics.extend(written.diagnostics);
+    let (body, complaints) = Writer::new(rendering, index).chapter();
+    diagnostics.extend(complaints);
     let (previous, next) = shelf::neighbours(&rendering.course.chapters, index);
     let context = ChapterPage {
         book: book(rendering, Some(index)),
@@ -190,11 +189,10 @@ fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<D
             href: rendering.href(index),
         },
         assets: ASSETS,
-        body: written.body,
+        body,
         contents: contents(rendering, index),
         previous: neighbour(rendering, previous),
         next: neighbour(rendering, next),
-        footnotes: written.footnotes,
         up: neighbour(rendering, shelf::above(&rendering.course.chapters, index)),
         members: shelf::members(rendering, index),
     };

@@ -58,6 +58,8 @@ mod point_questions;
 mod points;
 mod properties;
 #[cfg(feature = "publish")]
+mod reading;
+#[cfg(feature = "publish")]
 mod review;
 #[cfg(feature = "publish")]
 mod search;
