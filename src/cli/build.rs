@@ -6,19 +6,34 @@ use super::progress::Progress;
 use super::{Exit, Options, report, timings};
 use crate::compose::{Composed, compose};
 use crate::diag::{Diagnostic, Severity, any_error};
+use crate::receipt::{self, Counts, Receipt};
 use crate::run::How;
 use crate::verify::{drift, now, read_lock};
+use crate::workspace::{self, Workspace};
 use crate::write;
 
 pub(super) fn run(options: &Options) -> Exit {
     let start = Instant::now();
+    if let Some((workspace, receipt)) = unchanged(options) {
+        report::say(&summary(&receipt.counts, write::Outcome::Unchanged, 0, start, options), options);
+        report::diagnostics(&receipt.diagnostics, &workspace, options);
+        timings::tell(&[("in all", start.elapsed())], &[], options);
+        return Exit::of(&receipt.diagnostics);
+    }
     let mut composed = compose(&options.request(), &Progress::new(options));
     let mut stages = composed.timings.clone();
     if !any_error(&composed.diagnostics) {
+        let inputs = receipt::inputs(&options.root, &composed.workspace);
         composed.diagnostics.extend(drifted(&composed, options));
         let writing = Instant::now();
         match write::write(&composed.book, &options.out()) {
-            Ok(outcome) => report::say(&summary(&composed, outcome, start, options), options),
+            Ok(outcome) => {
+                let (counts, ran) = counts(&composed);
+                report::say(&summary(&counts, outcome, ran, start, options), options);
+                if !options.no_cache {
+                    Receipt::new(inputs, &composed.book, counts, composed.diagnostics.clone()).keep(&options.root);
+                }
+            }
             Err(error) => composed.diagnostics.push(error),
         }
         stages.push(("write", writing.elapsed()));
@@ -27,6 +42,16 @@ pub(super) fn run(options: &Options) -> Exit {
     report::diagnostics(&composed.diagnostics, &composed.workspace, options);
     timings::tell(&stages, &composed.ran, options);
     Exit::of(&composed.diagnostics)
+}
+
+/// The receipt of the last build, if it was made of the same and its book is still there.
+fn unchanged(options: &Options) -> Option<(Workspace, Receipt)> {
+    if options.no_cache {
+        return None;
+    }
+    let (workspace, complaints) = workspace::load(&options.root);
+    let inputs = complaints.is_empty().then(|| receipt::inputs(&options.root, &workspace))?;
+    Receipt::find(&options.root, inputs, &options.out()).map(|receipt| (workspace, receipt))
 }
 
 /// What has drifted from the lock, as warnings: building never writes the lock.
@@ -41,9 +66,18 @@ fn drifted(composed: &Composed, options: &Options) -> Vec<Diagnostic> {
     }
 }
 
-fn summary(composed: &Composed, outcome: write::Outcome, start: Instant, options: &Options) -> String {
-    let ran = composed.ran.iter().filter(|ran| ran.how != How::Cached).count();
-    let claims: usize = composed.shown.iter().map(|shown| shown.verdicts.len()).sum();
+/// How much a book has, and how many of its experiments ran.
+fn counts(composed: &Composed) -> (Counts, usize) {
+    let counts = Counts {
+        chapters: composed.course.chapters.len(),
+        exhibits: composed.shown.len(),
+        experiments: composed.ran.len(),
+        claims: composed.shown.iter().map(|shown| shown.verdicts.len()).sum(),
+    };
+    (counts, composed.ran.iter().filter(|ran| ran.how != How::Cached).count())
+}
+
+fn summary(counts: &Counts, outcome: write::Outcome, ran: usize, start: Instant, options: &Options) -> String {
     let place = options.out().join("index.html");
     let what = match outcome {
         write::Outcome::Written => "wrote",
@@ -52,10 +86,10 @@ fn summary(composed: &Composed, outcome: write::Outcome, start: Instant, options
     format!(
         "{what} {}: {}, {} ({ran} of {} ran), {} verified, {:.2} s",
         place.display(),
-        report::counted(composed.course.chapters.len(), "chapter"),
-        report::counted(composed.shown.len(), "exhibit"),
-        report::counted(composed.ran.len(), "experiment"),
-        report::counted(claims, "claim"),
+        report::counted(counts.chapters, "chapter"),
+        report::counted(counts.exhibits, "exhibit"),
+        report::counted(counts.experiments, "experiment"),
+        report::counted(counts.claims, "claim"),
         start.elapsed().as_secs_f64()
     )
 }

@@ -51,6 +51,8 @@ mod point_questions;
 mod points;
 mod properties;
 #[cfg(feature = "publish")]
+mod receipt;
+#[cfg(feature = "publish")]
 mod review;
 mod settings;
 #[cfg(feature = "publish")]
