@@ -12,7 +12,7 @@ use crate::plan::{Exhibit, Plan};
 use crate::render::Book;
 use crate::run::{Cache, Job, Observer, Ran};
 use crate::workspace::Workspace;
-use crate::{exhibits, parse, plan, render, run, verify, workspace};
+use crate::{exhibits, generate, parse, plan, render, run, verify, workspace};
 
 /// What a book is made from.
 #[derive(Debug, Clone)]
@@ -81,11 +81,16 @@ pub struct Planned {
 /// Reads, parses and plans the course: all that can be known without running.
 pub fn check(request: &Request) -> Planned {
     let mut clock = Clock::default();
-    let (workspace, mut diagnostics) = clock.time("read", || workspace::load(&request.root));
-    let (course, complaints) = clock.time("parse", || parse::course(&workspace));
+    let (mut workspace, mut diagnostics) = clock.time("read", || workspace::load(&request.root));
+    let (configuration, complaints) = parse::configuration(&workspace);
+    diagnostics.extend(complaints);
+    let generated = clock.time("generate", || generate::chapters(&configuration));
+    workspace.texts.extend(generated.iter().map(|page| (Arc::clone(&page.source.path), page.source.clone())));
+    let (course, complaints) = clock.time("parse", || parse::course(configuration, &workspace, &generated));
     diagnostics.extend(complaints);
     let (plan, complaints) = clock.time("plan", || plan::plan(&course, &workspace));
     diagnostics.extend(complaints);
+    generate::explain(&mut diagnostics);
     Planned { workspace, course, plan, diagnostics, timings: clock.times }
 }
 
@@ -124,6 +129,7 @@ pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
         composed.diagnostics.extend(clock.time("verify", || verify::site::check(&book)));
         composed.book = book;
     }
+    generate::explain(&mut composed.diagnostics);
     composed.timings = clock.times;
     composed
 }

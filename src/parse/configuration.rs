@@ -7,6 +7,7 @@ use std::sync::Arc;
 use toml::de::DeValue;
 
 use super::landing::{self, Passage};
+use super::shelf::{self, Shelf};
 use super::source_map::SourceMap;
 use super::toml_text;
 use crate::catalogue::nearest;
@@ -98,6 +99,8 @@ pub struct Configuration {
     pub seed: u64,
     /// What the landing page says of the course.
     pub landing: Vec<Passage>,
+    /// The parts of the catalogue that the book has pages of.
+    pub catalogue: Vec<Shelf>,
     /// LaTeX macros: name to replacement.
     pub macros: BTreeMap<String, String>,
 }
@@ -133,7 +136,9 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
     }
     configuration.macros = read_macros(&mut fields);
     configuration.landing = landing::read(&mut fields, source, workspace, diagnostics);
-    let known: Vec<&str> = Head::docs().iter().map(|doc| doc.name).chain(["defaults", "landing", "math"]).collect();
+    shelf::read(&mut fields, &mut configuration);
+    let tables = ["catalogue", "defaults", "landing", "math"];
+    let known: Vec<&str> = Head::docs().iter().map(|doc| doc.name).chain(tables).collect();
     fields.finish(&known);
     diagnostics.extend(fields.complaints.into_iter().map(|complaint| located(complaint, source)));
     check_bibliography(&configuration, workspace, source, diagnostics);

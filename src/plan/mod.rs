@@ -14,6 +14,7 @@ mod listing;
 mod literal;
 mod references;
 mod seen;
+mod slides;
 mod slug;
 pub mod terms;
 mod typed;
@@ -100,6 +101,7 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
     plan.labels = labels::number(course, &plan, &mut diagnostics);
     plan.terms = terms::find(course, &plan, workspace, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
+    slides::check(course, &mut diagnostics);
     typed::check(course, &plan, workspace, &mut diagnostics);
     (plan, diagnostics)
 }

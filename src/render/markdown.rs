@@ -367,6 +367,10 @@ impl<'a> Writer<'a> {
             (CalloutKind::Definition | CalloutKind::Exercise, None) => {
                 writeln!(self.out, "<section class=\"{class}\"><p class=\"callout-title\">{head}</p>")
             }
+            // Slides and their notes are there for the script that presents the page.
+            (kind, _) if kind.is_for_lectures() => {
+                writeln!(self.out, "<aside class=\"{class}\" hidden><p class=\"callout-title\">{head}</p>")
+            }
             _ => writeln!(self.out, "<aside class=\"{class}\"><p class=\"callout-title\">{head}</p>"),
         };
     }

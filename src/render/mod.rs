@@ -10,6 +10,7 @@ mod markdown;
 mod matter;
 mod pages;
 mod pictures;
+mod shelf;
 mod stepper;
 mod table;
 mod templates;
@@ -63,13 +64,20 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     let converter = Converter::new(&course.configuration.macros, &mut diagnostics);
     let citations = Citations::format(course, plan, workspace, &mut diagnostics);
     let files = plan.exhibits.iter().zip(shown);
-    let files = files.map(|(exhibit, shown)| data::files(exhibit, &shown.outcome, &shown.drawing)).collect();
+    let files = files.map(|(exhibit, shown)| {
+        let keep = data::Keep::of(&course.chapters[exhibit.chapter], &exhibit.id);
+        data::files(exhibit, &shown.outcome, &shown.drawing, keep)
+    });
+    let files = files.collect();
     let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates, files };
     let mut book = Book::default();
     for (path, bytes) in pages::all(&rendering, &mut diagnostics) {
         book.files.insert(path, bytes.into_bytes());
     }
     book.files.extend(rendering.templates.assets());
+    if course.configuration.catalogue.is_empty() {
+        book.files.remove(&format!("{}/{}", templates::ASSETS, shelf::STYLE));
+    }
     book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
     book.files.extend(rendering.files.into_iter().flatten().map(|file| (file.path, file.bytes)));
     for (path, bytes) in &workspace.blobs {

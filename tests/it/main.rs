@@ -14,6 +14,7 @@ mod behaviour;
 mod bite;
 #[cfg(feature = "publish")]
 mod cache;
+mod catalogue;
 mod checks;
 #[cfg(feature = "publish")]
 mod cli;
@@ -55,6 +56,8 @@ mod receipt;
 #[cfg(feature = "publish")]
 mod review;
 mod settings;
+#[cfg(feature = "publish")]
+mod slides;
 #[cfg(feature = "publish")]
 mod spectral;
 mod statistics;

@@ -24,6 +24,7 @@ const LAYERS: &[&[&str]] = &[
     &["chart"],
     &["kinds"],
     &["parse"],
+    &["generate"],
     &["plan"],
     &["run"],
     &["exhibits"],
