@@ -60,6 +60,8 @@ mod properties;
 #[cfg(feature = "publish")]
 mod reading;
 #[cfg(feature = "publish")]
+mod receipt;
+#[cfg(feature = "publish")]
 mod review;
 #[cfg(feature = "publish")]
 mod search;
