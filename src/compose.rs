@@ -147,7 +147,8 @@ fn for_students(whole: Planned) -> Planned {
 ///
 /// Experiments that are right run even if others are wrong, so that false claims are told in the same run as slips of the pen.
 pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
-    let Planned { workspace, course, plan, course_digest, audience, withheld, mut diagnostics, timings } = check(request);
+    let Planned { workspace, course, plan, course_digest, audience, withheld, mut diagnostics, timings } =
+        check(request);
     let mut clock = Clock { times: timings };
     let ran = clock.time("run", || run::run(jobs(&plan), request.cache().as_ref(), request.threads, observer));
     diagnostics.extend(run::unsaved(&ran));

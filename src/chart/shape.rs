@@ -231,6 +231,15 @@ fn outline(marker: Marker, size: i32, (x, y): BackendCoord, data: &mut String) {
             polyline(bar.iter().map(corner), false, data);
         }
     } else {
-        polyline(corners.iter().map(corner), true, data);
+        // The other corners from the one before: half as long as from the sheet's corner.
+        let mut last = corner(&corners[0]);
+        data.push('M');
+        pair(last, data);
+        for at in corners[1..].iter().map(corner) {
+            data.push('l');
+            pair((at.0 - last.0, at.1 - last.1), data);
+            last = at;
+        }
+        data.push('z');
     }
 }

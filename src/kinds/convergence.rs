@@ -143,6 +143,7 @@ impl Kind for ConvergenceKind {
         let all = estimates_of_all(ABOUT.key, asked, &p.samplers, p.n.as_slice(), p.replicates, seed)?;
         let all = p.integrands.iter().zip(all).map(|(integrand, all)| errors(p, integrand, all));
         let mut all = all.collect::<Result<Vec<_>, _>>()?;
+        check_errors(p, &all)?;
         let rest = all.split_off(1.min(all.len()));
         let first = all.pop().ok_or_else(|| Failure::of("integrands", "there is no integrand"))?;
         Ok(Data { first, more: Rest(rest) })
@@ -237,11 +238,24 @@ fn errors(p: &Convergence, integrand: &Function, all: Vec<Vec<Vec<f64>>>) -> Res
         Curve { method: method.name(), title: method.title(), replicates, fit, marks }
     };
     let curves: Vec<Curve> = p.samplers.iter().zip(all).map(curve).collect();
-    if !curves.iter().flat_map(|curve| &curve.marks).any(|mark| mark.resolved) {
-        let message = format!("every estimate of `{}` is exact: there is no error to follow", integrand.text());
-        return Err(Failure::of("integrand", message).help("choose an integrand that varies"));
-    }
     Ok(Errors { exact: exact.value, variance: integrand.variance(d), curves })
+}
+
+/// Refuses a study in which there is no error at all; one integrand among several may be estimated exactly.
+fn check_errors(p: &Convergence, all: &[Errors]) -> Result<(), Failure> {
+    if all.iter().any(Errors::any) {
+        return Ok(());
+    }
+    let names: Vec<String> = p.integrands.iter().map(|integrand| format!("`{}`", integrand.text())).collect();
+    let message = format!("every estimate of {} is exact: there is no error to follow", names.join(", "));
+    Err(Failure::of("integrand", message).help("choose an integrand that varies"))
+}
+
+impl Errors {
+    /// Whether there is any error to follow.
+    fn any(&self) -> bool {
+        self.curves.iter().flat_map(|curve| &curve.marks).any(|mark| mark.resolved)
+    }
 }
 
 /// Names the errors of one integrand, with `end` behind every name.
@@ -325,7 +339,8 @@ mod drawing {
             let panel = Panel::new(Axis::log2("*N*"), Axis::log(title)).with_all(references(p, errors));
             let panel = panel.with_all(errors.curves.iter().flat_map(|curve| line(p, curve, several)));
             match p.integrands.get(index) {
-                Some(integrand) if several => panel.title(name(integrand)).with_all(notes(errors)),
+                Some(integrand) if several && errors.any() => panel.title(name(integrand)).with_all(notes(errors)),
+                Some(integrand) if several => panel.title(Rich::plain(&format!("{}: exact", title_of(integrand)))),
                 _ => panel.ratio(0.62),
             }
         };
@@ -334,7 +349,11 @@ mod drawing {
 
     /// An integrand's title, or its formula as it was written.
     fn name(integrand: &Function) -> Rich {
-        Rich::plain(integrand.abouts().first().map_or(integrand.text(), |about| about.title))
+        Rich::plain(title_of(integrand))
+    }
+
+    fn title_of(integrand: &Function) -> &str {
+        integrand.abouts().first().map_or(integrand.text(), |about| about.title)
     }
 
     /// The errors of one sampler, without those that have no place on a logarithmic axis.

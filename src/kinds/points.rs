@@ -277,9 +277,7 @@ mod drawing {
 
     use super::{Data, Extra, Points, Set, Strata, cuts, side};
     use crate::chart::number::{integer, significant};
-    use crate::chart::{
-        self, Axis, Chart, ChartError, Disks, Drawing, Key, Marks, Panel, Region, Role, Rule, Sheet, Style,
-    };
+    use crate::chart::{self, Axis, Chart, ChartError, Disks, Drawing, Key, Marks, Panel, Region, Role, Sheet, Style};
 
     pub(super) fn draw(p: &Points, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let several = data.sets.len() > 1;
@@ -365,8 +363,7 @@ mod drawing {
         let panel = panel.keeping(slabs);
         if line {
             let drawn = if p.strata == Strata::None { intervals.first().copied() } else { Some(n) };
-            let border = |at: f64| Rule::vertical(at).style(Style::new(Role::Strata));
-            return panel.with_all(drawn.into_iter().flat_map(|n| (0..=n).map(move |k| border(k as f64 / n as f64))));
+            return drawn.into_iter().fold(panel, |panel, n| panel.strata(chart::Strata::boxes(n as u32, 1)));
         }
         let panel = match intervals[..] {
             [columns, rows] => panel.strata(chart::Strata::boxes(columns as u32, rows as u32)),

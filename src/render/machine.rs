@@ -5,12 +5,10 @@ use serde_json::{Value as Json, json};
 use super::Rendering;
 use crate::kinds::{Measured, Value};
 
-/// The file's text: the exhibits in the book's order, numbers in full precision.
+/// The file's text: the exhibits in the book's order, a line each, numbers in full precision.
 pub(super) fn figures(rendering: &Rendering<'_>) -> String {
-    let exhibits: Vec<Json> = (0..rendering.plan.exhibits.len()).map(|index| exhibit(rendering, index)).collect();
-    let mut text = serde_json::to_string_pretty(&json!({ "exhibits": exhibits })).unwrap_or_default();
-    text.push('\n');
-    text
+    let exhibits = (0..rendering.plan.exhibits.len()).map(|index| exhibit(rendering, index).to_string());
+    format!("{{\"exhibits\": [\n{}\n]}}\n", exhibits.collect::<Vec<_>>().join(",\n"))
 }
 
 fn exhibit(rendering: &Rendering<'_>, index: usize) -> Json {
