@@ -23,7 +23,7 @@ const SECRETS: [&str; 30] = [
     "bandicoot",
     "dugong",
     "cassowary",
-    "bilby",
+    "Bilby",
     "potoroo",
     "taipan",
     "galah",
@@ -101,7 +101,7 @@ $$ a = b $$ {#eq-before}
 > > id = "tbl-secret"
 > > kind = "estimate-table"
 > > integrand = "x"
-> > samplers = ["centred-grid"]
+> > sampler = "centred-grid"
 > > n = [4, 16]
 > > caption = "A currawong."
 > > ```
@@ -204,15 +204,18 @@ fn the_students_book_has_no_byte_of_a_solution() {
     let whole = everything(&course.book());
     let students = tree(&course.path("book-student"));
     assert!(students.contains_key("dot.png") && students.contains_key("one.html"));
+    let mut leaks = Vec::new();
     for secret in SECRETS {
         assert!(whole.contains(secret), "the test looks for `{secret}`, which stands nowhere");
         for (path, bytes) in &students {
             // The page of kinds tells what every course can ask for.
             let general = path == "kinds.html" && secret == "van-der-corput";
-            let found = path.contains(secret) || String::from_utf8_lossy(bytes).contains(secret);
-            assert!(!found || general, "`{secret}` stands in {path}");
+            if !general && (path.contains(secret) || String::from_utf8_lossy(bytes).contains(secret)) {
+                leaks.push(format!("`{secret}` stands in {path}"));
+            }
         }
     }
+    assert!(leaks.is_empty(), "{leaks:#?}");
     let students = everything(&students);
     for kept in ["A question.", "A hint.", "An open note.", "On questions", "term-word", "fig-after", "tbl-after"] {
         assert!(students.contains(kept), "`{kept}` is gone");
@@ -307,7 +310,7 @@ fn nothing_of_this_courses_solutions_reaches_the_students_pages() {
     // All that rendering is given of chapters, and what it is given of fences.
     let given = format!("{:?}", students.course.chapters.iter().map(|chapter| &chapter.content).collect::<Vec<_>>());
     let mut solutions = 0;
-    let mut secrets = Vec::new();
+    let (mut secrets, mut open) = (Vec::new(), Vec::new());
     for chapter in &whole.course.chapters {
         let mut depth = 0;
         for node in &chapter.content.nodes {
@@ -315,14 +318,12 @@ fn nothing_of_this_courses_solutions_reaches_the_students_pages() {
                 matches!(&node.what, What::CalloutStart(callout) if depth > 0 || callout.kind == CalloutKind::Solution);
             solutions += usize::from(starts && depth == 0);
             depth += usize::from(starts);
-            if depth > 0 {
-                texts(std::slice::from_ref(node), &mut secrets);
-            }
+            texts(std::slice::from_ref(node), if depth > 0 { &mut secrets } else { &mut open });
             depth -= usize::from(depth > 0 && matches!(node.what, What::CalloutEnd(_)));
         }
     }
-    // Short words stand in many places.
-    secrets.retain(|secret| secret.trim().len() > 24);
+    // Short words stand in many places, and a few words of a solution in its question.
+    secrets.retain(|secret| secret.trim().len() > 24 && !open.iter().any(|open| open.contains(secret.as_str())));
     assert!(solutions > 30 && secrets.len() > 10 * solutions / 2, "{solutions} solutions, {} texts", secrets.len());
     let shown = |secret: &&String| given.contains(format!("{secret:?}").trim_matches('"'));
     let leaked: Vec<_> = secrets.iter().filter(shown).collect();
@@ -339,7 +340,7 @@ fn nothing_of_this_courses_solutions_reaches_the_students_pages() {
 
 #[test]
 fn a_course_without_solutions_is_the_same_for_everybody() {
-    for case in ["terms", "steppers", "appendices"] {
+    for case in ["minimal", "steppers", "appendices"] {
         let (loaded, _) = workspace::load(&Path::new(PACKAGE).join("tests/books").join(case));
         let (course, _) = parse::course(&loaded);
         let (students, told) = parse::without_solutions(&course);

@@ -42,7 +42,9 @@ fn a_site_without_an_address_names_none() {
     let book = course.book();
     assert!(!book.contains_key("sitemap.xml") && !book.contains_key("assets/card.png"));
     for (path, text) in pages(&course) {
-        for absent in ["canonical", "og:url", "og:image", "Edit this page", "Last changed", "Source of the book"] {
+        for absent in
+            ["rel=\"canonical\"", "og:url", "og:image", "Edit this page", "Last changed", "Source of the book"]
+        {
             assert!(!text.contains(absent), "{path}: {absent}");
         }
         let lost = path == "404.html";
