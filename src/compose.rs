@@ -11,8 +11,9 @@ use crate::parse::{Audience, Course};
 use crate::plan::{Exhibit, Plan};
 use crate::render::Book;
 use crate::run::{Cache, Job, Observer, Ran};
+use crate::sources::Digest;
 use crate::workspace::{History, Workspace};
-use crate::{exhibits, parse, plan, render, run, verify, workspace};
+use crate::{exhibits, generate, parse, plan, receipt, render, run, verify, workspace};
 
 /// What a book is made from.
 #[derive(Debug, Clone)]
@@ -47,6 +48,8 @@ pub struct Composed {
     pub course: Course,
     /// All that was due.
     pub plan: Plan,
+    /// The digest of the course's files.
+    pub course_digest: Digest,
     /// For whom the book is.
     pub audience: Audience,
     /// The exhibits of the course that this audience does not get.
@@ -78,6 +81,8 @@ pub struct Planned {
     pub course: Course,
     /// All that is due.
     pub plan: Plan,
+    /// The digest of the course's files.
+    pub course_digest: Digest,
     /// For whom it is.
     pub audience: Audience,
     /// The exhibits of the course that this audience does not get.
@@ -92,7 +97,12 @@ pub struct Planned {
 pub fn check(request: &Request) -> Planned {
     let mut clock = Clock::default();
     let (mut workspace, mut diagnostics) = clock.time("read", || workspace::load(&request.root));
-    let (course, complaints) = clock.time("parse", || parse::course(&workspace));
+    let course_digest = receipt::course(&workspace);
+    let (configuration, complaints) = parse::configuration(&workspace);
+    diagnostics.extend(complaints);
+    let generated = clock.time("generate", || generate::chapters(&configuration));
+    workspace.texts.extend(generated.iter().map(|page| (Arc::clone(&page.source.path), page.source.clone())));
+    let (course, complaints) = clock.time("parse", || parse::course(configuration, &workspace, &generated));
     diagnostics.extend(complaints);
     let (plan, complaints) = clock.time("plan", || plan::plan(&course, &workspace));
     diagnostics.extend(complaints);
@@ -101,8 +111,13 @@ pub fn check(request: &Request) -> Planned {
     workspace.history = history;
     diagnostics.extend(complaints);
     let withheld = BTreeSet::new();
-    let planned = Planned { workspace, course, plan, audience, withheld, diagnostics, timings: clock.times };
-    if audience == Audience::Student { for_students(planned) } else { planned }
+    let mut planned =
+        Planned { workspace, course, plan, course_digest, audience, withheld, diagnostics, timings: clock.times };
+    if audience == Audience::Student {
+        planned = for_students(planned);
+    }
+    generate::explain(&mut planned.diagnostics);
+    planned
 }
 
 /// What git says, if the course wants to know.
@@ -113,7 +128,7 @@ fn history(request: &Request, course: &Course) -> (History, Vec<Diagnostic>) {
 
 /// The same without solutions. The whole has been planned before, so that its numbers stay, and its mistakes are told.
 fn for_students(whole: Planned) -> Planned {
-    let Planned { mut workspace, course, plan, audience, mut diagnostics, timings, .. } = whole;
+    let Planned { mut workspace, course, plan, course_digest, audience, mut diagnostics, timings, .. } = whole;
     let mut clock = Clock { times: timings };
     let (students, part) = clock.time("audience", || {
         let (students, orphans) = parse::without_solutions(&course);
@@ -124,14 +139,15 @@ fn for_students(whole: Planned) -> Planned {
     });
     let withheld = plan.exhibits.iter().map(|exhibit| &exhibit.id).filter(|id| part.exhibit(id).is_none());
     let withheld = withheld.cloned().collect();
-    Planned { workspace, course: students, plan: part, audience, withheld, diagnostics, timings: clock.times }
+    let (course, plan, timings) = (students, part, clock.times);
+    Planned { workspace, course, plan, course_digest, audience, withheld, diagnostics, timings }
 }
 
 /// Makes the book of a course, all but writing it.
 ///
 /// Experiments that are right run even if others are wrong, so that false claims are told in the same run as slips of the pen.
 pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
-    let Planned { workspace, course, plan, audience, withheld, mut diagnostics, timings } = check(request);
+    let Planned { workspace, course, plan, course_digest, audience, withheld, mut diagnostics, timings } = check(request);
     let mut clock = Clock { times: timings };
     let ran = clock.time("run", || run::run(jobs(&plan), request.cache().as_ref(), request.threads, observer));
     diagnostics.extend(run::unsaved(&ran));
@@ -144,6 +160,7 @@ pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
         workspace,
         course,
         plan,
+        course_digest,
         audience,
         withheld,
         shown: Vec::new(),
@@ -164,6 +181,7 @@ pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
         composed.diagnostics.extend(clock.time("verify", || verify::book(&book, &composed.course)));
         composed.book = book;
     }
+    generate::explain(&mut composed.diagnostics);
     composed.timings = clock.times;
     composed
 }

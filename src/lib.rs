@@ -9,7 +9,7 @@
 //!
 //! # Stages
 //!
-//! `workspace -> parse -> plan -> run -> exhibits -> render -> verify -> write`: see `compose`, which is the map. Each stage is a pure
+//! `workspace -> generate -> parse -> plan -> run -> exhibits -> render -> verify -> write`: see `compose`, which is the map. Each stage is a pure
 //! function of what the one before returned, and returns its value *and* its diagnostics (`diag`), so that one run reports every
 //! mistake. Only `workspace`, the cache and `write` touch the disk; only `cli` prints.
 //!
@@ -45,6 +45,8 @@ pub mod diag;
 #[cfg(feature = "publish")]
 pub mod exhibits;
 #[cfg(feature = "publish")]
+pub mod generate;
+#[cfg(feature = "publish")]
 pub mod kinds;
 #[cfg(feature = "publish")]
 pub mod parameters;
@@ -54,6 +56,8 @@ pub mod parse;
 pub mod plan;
 #[cfg(feature = "publish")]
 pub mod raster;
+#[cfg(feature = "publish")]
+pub mod receipt;
 #[cfg(feature = "publish")]
 pub mod render;
 #[cfg(feature = "publish")]

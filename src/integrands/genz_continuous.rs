@@ -1,6 +1,6 @@
 //! Genz's C0 family: continuous, with a kink on every axis.
 //!
-//! **Formula.** exp(-sum a_j |x_j - u_j|), in any d; a and u as in [`genz`](super::genz).
+//! **Formula.** exp(-sum a_j |x_j - u_j|), in any d; a_j and u_j as in [`genz`](super::genz).
 //!
 //! **Integral and variance.** The mean is prod (2 - exp(-a_j u_j) - exp(-a_j (1 - u_j)))/a_j; the
 //! second moment is the same with 2 a_j.

@@ -1,6 +1,6 @@
 //! Genz's corner peak family.
 //!
-//! **Formula.** (1 + sum a_j x_j)^-(d+1), in any d; a as in [`genz`](super::genz).
+//! **Formula.** (1 + sum a_j x_j)^-(d+1), in any d; a_j as in [`genz`](super::genz).
 //!
 //! **Integral and variance.** Integrating (1 + s)^-p along each axis once gives the alternating sum
 //! over the corners of the cube of (1 + a.corner)^-(p-d), over (p - 1) ... (p - d) prod a_j; with

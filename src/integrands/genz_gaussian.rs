@@ -1,6 +1,6 @@
 //! Genz's Gaussian family.
 //!
-//! **Formula.** exp(-sum a_j^2 (x_j - u_j)^2), in any d; a and u as in [`genz`](super::genz).
+//! **Formula.** exp(-sum a_j^2 (x_j - u_j)^2), in any d; a_j and u_j as in [`genz`](super::genz).
 //!
 //! **Integral and variance.** The mean is prod sqrt(pi)/(2 a_j) (erf(a_j (1 - u_j)) + erf(a_j
 //! u_j)); the second moment is the same with sqrt(2) a_j.

@@ -1,6 +1,6 @@
 //! Genz's oscillatory family.
 //!
-//! **Formula.** cos(2 pi u_1 + sum a_j x_j), in any d; a and u as in [`genz`](super::genz).
+//! **Formula.** cos(2 pi u_1 + sum a_j x_j), in any d; a_j and u_j as in [`genz`](super::genz).
 //!
 //! **Integral and variance.** The integral of exp(i a x) is exp(i a/2) 2 sin(a/2)/a, so that the
 //! mean is cos(2 pi u_1 + sum a_j/2) prod 2 sin(a_j/2)/a_j; cos^2 = (1 + cos of twice the angle)/2

@@ -1,6 +1,6 @@
 //! Genz's product peak family.
 //!
-//! **Formula.** prod 1/(a_j^-2 + (x_j - u_j)^2), in any d; a and u as in [`genz`](super::genz).
+//! **Formula.** prod 1/(a_j^-2 + (x_j - u_j)^2), in any d; a_j and u_j as in [`genz`](super::genz).
 //!
 //! **Integral and variance.** The mean is prod a_j (atan(a_j (1 - u_j)) + atan(a_j u_j)); the
 //! second moment follows from the primitive t/(2 c^2 (c^2 + t^2)) + atan(t/c)/(2 c^3) of 1/(c^2 +

@@ -51,6 +51,6 @@ impl Integrand for Step {
     }
 
     fn formula(&self) -> &'static str {
-        r"\left[x < 1/\pi\right]"
+        r"\left[x_1 < 1/\pi\right]"
     }
 }

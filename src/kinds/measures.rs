@@ -1,6 +1,6 @@
 //! Measures: a table of point sets by how even they are.
 //!
-//! Every method is a row, every measure a column; then whether the set is Latin, whether it keeps the grid of n cells, and how
+//! Every method is a row for each count, every measure a column; then whether the set is Latin, whether it keeps the grid of n cells, and how
 //! many elementary intervals of volume 1/n do not hold one point. A random method shows the mean over its replicates; what it
 //! keeps, it keeps in all of them.
 
@@ -13,7 +13,7 @@ use super::{Failure, Frame, Kind, Problems, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::metrics::{self, nets, occupancy};
-use crate::parameters::parameters;
+use crate::parameters::{Counts, parameters};
 use crate::points::Points;
 use crate::samplers::{Method, digits};
 use crate::seed::Seed;
@@ -38,8 +38,8 @@ parameters! {
     pub struct MeasureTable {
         /// The samplers, each with an optional scramble: one row each.
         samplers: Vec<Method> [or sampler],
-        /// How many points each set has.
-        n: usize [in 1..=65_536] = 64,
+        /// How many points each set has; several counts give a row each.
+        n: Counts [in 1..=65_536] = 64,
         /// The dimensions of the unit cube.
         dimensions: usize [in 1..=16] = 2,
         /// The measures: one column each.
@@ -89,24 +89,27 @@ impl Kind for MeasuresKind {
     }
 
     fn check(&self, p: &MeasureTable, problems: &mut Problems<'_, '_>) {
-        problems.admit("samplers", &p.samplers, &[p.n], p.dimensions);
+        problems.admit("samplers", &p.samplers, p.n.as_slice(), p.dimensions);
     }
 
     fn weight(&self, p: &MeasureTable) -> u64 {
-        ((p.n * p.samplers.len()) as u64).saturating_mul(p.n as u64 * p.replicates as u64)
+        let pairs: u64 = p.n.iter().map(|n| (n as u64).saturating_mul(n as u64)).sum();
+        pairs.saturating_mul(p.samplers.len() as u64 * p.replicates as u64)
     }
 
     fn run(&self, p: &MeasureTable, seed: Seed) -> Result<Data, Failure> {
         let placing = Placing { kind: ABOUT.key, d: p.dimensions, seed };
-        let all = placing.measured(&p.samplers, &[p.n], p.replicates, |_, points| Ok(one(p, points)))?;
-        let row = |(method, sets): (&Method, Vec<Vec<One>>)| row(p, method, &sets.concat());
-        Ok(Data { rows: p.samplers.iter().zip(all).map(row).collect() })
+        let all = placing.measured(&p.samplers, p.n.as_slice(), p.replicates, |_, points| Ok(one(p, points)))?;
+        let rows = |(method, counts): (&Method, Vec<Vec<One>>)| {
+            counts.iter().map(|sets| row(p, method, sets)).collect::<Vec<Row>>()
+        };
+        Ok(Data { rows: p.samplers.iter().zip(all).flat_map(rows).collect() })
     }
 
     fn values(&self, p: &MeasureTable, data: &Data) -> Values {
         let mut values = Values::new();
-        for row in &data.rows {
-            let name = &row.method;
+        for (row, n) in data.with_counts(p) {
+            let name = if p.n.as_slice().len() > 1 { format!("{}.{n}", row.method) } else { row.method.clone() };
             for (measure, measured) in p.measures.iter().zip(&row.measured) {
                 if let Some((mean, error)) = measured {
                     values.estimate(format!("{}.{name}", measure.quantity()), *mean, error.unwrap_or(f64::NAN));
@@ -125,6 +128,9 @@ impl Kind for MeasuresKind {
 
     fn tables(&self, p: &MeasureTable, data: &Data) -> Vec<Frame> {
         let mut frame = Frame::new("measures").text("sampler", data.rows.iter().map(|row| row.method.clone()));
+        if p.n.as_slice().len() > 1 {
+            frame = frame.counts("n", data.with_counts(p).map(|(_, n)| n));
+        }
         for (index, measure) in p.measures.iter().enumerate() {
             let number = |row: &Row| row.measured.get(index).copied().flatten().map_or(f64::NAN, |measured| measured.0);
             frame = frame.numbers(measure.key(), data.rows.iter().map(number));
@@ -148,11 +154,19 @@ impl Kind for MeasuresKind {
     }
 }
 
+impl Data {
+    /// The rows, each with its count: those of a method follow each other.
+    fn with_counts<'a>(&'a self, p: &'a MeasureTable) -> impl Iterator<Item = (&'a Row, usize)> {
+        self.rows.iter().zip(p.n.as_slice().iter().copied().cycle())
+    }
+}
+
 /// The measures of one set.
 fn one(p: &MeasureTable, points: &Points) -> One {
     let measured = |measure: &Measure| metrics::measure(measure.metric(), points).ok().map(|measured| measured.value);
-    let side = digits::root(p.n as u64, p.dimensions as u32) as usize;
-    let grid = (side.checked_pow(p.dimensions as u32) == Some(p.n)).then(|| vec![side; p.dimensions]);
+    let n = points.len();
+    let side = digits::root(n as u64, p.dimensions as u32) as usize;
+    let grid = (side.checked_pow(p.dimensions as u32) == Some(n)).then(|| vec![side; p.dimensions]);
     let single = |counts: Vec<u32>| counts.iter().all(|&count| count == 1);
     let kept = Kept {
         latin: p.strata && occupancy::is_latin(points),
@@ -192,20 +206,26 @@ mod drawing {
     use crate::chart::{Cell, Column, Drawing, Table};
 
     pub(super) fn draw(p: &MeasureTable, data: &Data) -> Drawing {
-        let mut columns = vec![Column::left("Sampler")];
+        let several = p.n.as_slice().len() > 1;
+        // One sampler is named by the caption.
+        let named = p.samplers.len() > 1 || !several;
+        let mut columns = Vec::from_iter(named.then(|| Column::left("Sampler")));
+        columns.extend(several.then(|| Column::right("$N$")));
         columns.extend(p.measures.iter().map(|measure| Column::right(format!("${}$", measure.symbol()))));
         if p.strata {
             columns.extend([Column::centre("Latin"), Column::centre("Cells"), Column::right("Violated")]);
         }
         let mut table = Table::new(columns);
-        for row in &data.rows {
-            table.push(cells(p, row));
+        for (row, n) in data.with_counts(p) {
+            let head = named.then(|| Cell::text(row.title.as_str()));
+            let count = several.then(|| Cell::Integer(n as i64));
+            table.push(head.into_iter().chain(count).chain(cells(p, row)));
         }
         Drawing::Table(table)
     }
 
     fn cells(p: &MeasureTable, row: &Row) -> Vec<Cell> {
-        let mut cells = vec![Cell::text(row.title.as_str())];
+        let mut cells = Vec::new();
         for (measure, measured) in p.measures.iter().zip(&row.measured) {
             cells.push(match measured {
                 None => Cell::Empty,
@@ -227,19 +247,31 @@ mod drawing {
     }
 
     pub(super) fn alt(p: &MeasureTable, data: &Data) -> String {
-        let (n, d) = (integer(p.n as i64), p.dimensions);
-        let mut text = format!("Measures of sets of {n} points in {d} dimension{}.", if d == 1 { "" } else { "s" });
+        let d = p.dimensions;
+        let counts: Vec<String> = p.n.iter().map(|n| integer(n as i64)).collect();
+        let mut text = format!(
+            "Measures of sets of {} points in {d} dimension{}.",
+            counts.join(", "),
+            if d == 1 { "" } else { "s" }
+        );
         for (index, measure) in p.measures.iter().enumerate() {
-            let numbers =
-                || data.rows.iter().filter_map(|row| Some((row, row.measured.get(index).copied().flatten()?.0)));
-            let least = numbers().min_by(|a, b| a.1.total_cmp(&b.1));
-            let most = numbers().max_by(|a, b| a.1.total_cmp(&b.1));
+            let numbers = || {
+                let rows = data.with_counts(p);
+                rows.filter_map(|(row, n)| Some((row, n, row.measured.get(index).copied().flatten()?.0)))
+            };
+            let least = numbers().min_by(|a, b| a.2.total_cmp(&b.2));
+            let most = numbers().max_by(|a, b| a.2.total_cmp(&b.2));
             if let (Some(least), Some(most)) = (least, most) {
-                let told = |end: (&Row, f64)| format!("{} ({})", significant(end.1, 3), end.0.title);
+                let told = |(row, n, value): (&Row, usize, f64)| match counts.len() {
+                    1 => format!("{} ({})", significant(value, 3), row.title),
+                    _ => format!("{} ({}, N = {})", significant(value, 3), row.title, integer(n as i64)),
+                };
                 let _ = write!(text, " {}: from {} to {}.", measure.title(), told(least), told(most));
             }
         }
-        let latin: Vec<&str> = data.rows.iter().filter(|row| row.kept.latin).map(|row| row.title.as_str()).collect();
+        let mut latin: Vec<&str> =
+            data.rows.iter().filter(|row| row.kept.latin).map(|row| row.title.as_str()).collect();
+        latin.dedup();
         if !latin.is_empty() {
             let _ = write!(text, " Latin: {}.", latin.join(", "));
         }

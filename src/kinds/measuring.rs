@@ -25,6 +25,21 @@ fn keys() -> Vec<&'static str> {
     METRICS.iter().map(|metric| metric.about().key).collect()
 }
 
+/// What names of values of the measure `key` begin with.
+pub fn quantity(key: &'static str) -> &'static str {
+    match key {
+        "star-discrepancy" => "dstar",
+        "l2-star" => "l2star",
+        "l2-centred" => "centred",
+        "l2-wrap-around" => "wraparound",
+        "minimum-distance" => "distance",
+        "relative-radius" => "radius",
+        "t-value" => "t",
+        "largest-correlation" => "correlation",
+        other => other,
+    }
+}
+
 impl Measure {
     /// The measure itself.
     pub fn metric(self) -> &'static dyn Metric {
@@ -43,17 +58,7 @@ impl Measure {
 
     /// What names of values begin with.
     pub fn quantity(self) -> &'static str {
-        match self.key() {
-            "star-discrepancy" => "dstar",
-            "l2-star" => "l2star",
-            "l2-centred" => "centred",
-            "l2-wrap-around" => "wraparound",
-            "minimum-distance" => "distance",
-            "relative-radius" => "radius",
-            "t-value" => "t",
-            "largest-correlation" => "correlation",
-            other => other,
-        }
+        quantity(self.key())
     }
 
     /// Its symbol in LaTeX.

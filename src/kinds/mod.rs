@@ -60,6 +60,7 @@ mod spectral_error;
 mod spectrum;
 mod steps;
 mod strata_count;
+mod surface;
 mod van_der_corput_table;
 mod worked_path;
 mod worst_box;
@@ -68,10 +69,12 @@ mod xor_steps;
 pub use experiment::{
     AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
 };
+pub use measuring::quantity;
 
 /// Every kind, in the order of display.
 pub static KINDS: &[&dyn AnyKind] = &[
     &function::FUNCTION,
+    &surface::SURFACE,
     &distribution::DISTRIBUTION,
     &identities::IDENTITIES,
     &estimate_table::ESTIMATE_TABLE,

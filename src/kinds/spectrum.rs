@@ -53,6 +53,8 @@ choices! {
         Logarithmic = "logarithmic",
         /// The variance along rings, in decibels.
         Anisotropy = "anisotropy",
+        /// The image and the radial mean beside it, a row for each sampler.
+        Both = "both",
     }
 }
 
@@ -195,8 +197,7 @@ impl Kind for SpectrumKind {
 impl Curve {
     /// The ring of the greatest power, counted from 1.
     fn peak(&self) -> Option<(usize, &Mean)> {
-        let rings = self.rings.iter().enumerate().map(|(index, ring)| (index + 1, ring));
-        rings.max_by(|a, b| a.1.power.total_cmp(&b.1.power))
+        (1..).zip(&self.rings).max_by(|a, b| a.1.power.total_cmp(&b.1.power))
     }
 }
 
@@ -326,11 +327,15 @@ mod drawing {
     pub(super) fn draw(p: &Spectrum, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let chart = match p.show {
             Show::Images => Chart::grid(data.curves.iter().map(|curve| panel(p, curve)).collect()).shared(),
-            Show::Radial => Chart::new(lines(p, data)),
+            Show::Radial => Chart::new(lines(p, &data.curves).ratio(0.55)),
             Show::Logarithmic => Chart::new(logarithmic(p, data)),
             Show::Anisotropy => Chart::new(anisotropy(data)),
+            Show::Both => {
+                let both = |curve| [panel(p, curve), lines(p, std::slice::from_ref(curve)).ratio(1.0)];
+                Chart::grid(data.curves.iter().flat_map(both).collect()).columns(2)
+            }
         };
-        let chart = if p.show == Show::Images { chart.key(Key::Hidden) } else { chart };
+        let chart = if matches!(p.show, Show::Images | Show::Both) { chart.key(Key::Hidden) } else { chart };
         Ok(chart.draw(sheet)?.into())
     }
 
@@ -357,8 +362,8 @@ mod drawing {
     }
 
     /// The exact expectations, named once.
-    fn theory(data: &Data) -> Vec<Line> {
-        let known = data.curves.iter().filter(|curve| curve.method != "independent");
+    fn theory(curves: &[Curve]) -> Vec<Line> {
+        let known = curves.iter().filter(|curve| curve.method != "independent");
         let lines = known.filter_map(|curve| {
             let points: Option<Vec<(f64, f64)>> =
                 curve.rings.iter().map(|ring| Some((ring.frequency, ring.expected?))).collect();
@@ -374,24 +379,22 @@ mod drawing {
     /// What is more than this of a linear axis is cut off.
     const HIGHEST: f64 = 4.0;
 
-    fn lines(p: &Spectrum, data: &Data) -> Panel {
-        let highest = data.curves.iter().flat_map(|curve| &curve.rings).map(|ring| ring.power).fold(1.0, f64::max);
+    fn lines(p: &Spectrum, curves: &[Curve]) -> Panel {
+        let highest = curves.iter().flat_map(|curve| &curve.rings).map(|ring| ring.power).fold(1.0, f64::max);
         let power = Axis::linear("mean power").range(0.0, (highest * 1.06).clamp(1.5, HIGHEST));
         let frequency = Axis::linear("frequency").range(0.0, p.reach as f64);
         let flat = Rule::horizontal(1.0).style(Style::THEORY);
-        let panel = Panel::new(frequency, power).ratio(0.55).with(flat).with_all(theory(data));
-        panel.with_all(data.curves.iter().map(|curve| through(curve, |ring| ring.power)))
+        let panel = Panel::new(frequency, power).with(flat).with_all(theory(curves));
+        panel.with_all(curves.iter().map(|curve| through(curve, |ring| ring.power)))
     }
 
     /// Rounding alone is no power, and has no place on a logarithmic axis.
     fn logarithmic(p: &Spectrum, data: &Data) -> Panel {
         let panel = Panel::new(Axis::log2("frequency").range(1.0, p.reach as f64), Axis::log("mean power")).ratio(0.62);
-        let panel = panel.with(Rule::horizontal(1.0).style(Style::THEORY)).with_all(theory(data));
+        let panel = panel.with(Rule::horizontal(1.0).style(Style::THEORY)).with_all(theory(&data.curves));
         panel.with_all(data.curves.iter().map(|curve| {
-            let label = match curve.slope {
-                Some((slope, _)) => format!("{} ({})", curve.title, fixed(slope, 2)),
-                None => curve.title.clone(),
-            };
+            let sloped = |(slope, _)| format!("{} ({})", curve.title, fixed(slope, 2));
+            let label = curve.slope.map_or_else(|| curve.title.clone(), sloped);
             through(curve, |ring| if ring.power > 1e-12 { ring.power } else { f64::NAN }).label(label)
         }))
     }
@@ -417,6 +420,8 @@ mod drawing {
                 Show::Radial => "Mean power over the length of the frequency.",
                 Show::Logarithmic => "Mean power over the length of the frequency, on logarithmic axes.",
                 Show::Anisotropy => "Anisotropy along rings over the length of the frequency, in decibels.",
+                Show::Both =>
+                    "Grey images, white for twice the power of independent points, and the mean power over the frequency.",
             }
         );
         for curve in &data.curves {

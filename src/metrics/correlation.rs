@@ -13,7 +13,7 @@
 //! assert_eq!(pearson(&points, 0, 1), Some(-1.0));
 //! ```
 
-use super::{Measured, Metric, Unmeasured};
+use super::{Known, Measured, Metric, Unmeasured};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::stats::moments::sum;
@@ -47,6 +47,13 @@ impl Metric for LargestCorrelation {
         let pairs = (0..d).flat_map(|i| (0..i).map(move |j| (i, j)));
         let largest = pairs.filter_map(|(i, j)| pearson(points, i, j)).map(f64::abs).reduce(f64::max);
         largest.map(Measured::exact).ok_or(Unmeasured::Kind("a correlation needs two axes that both vary"))
+    }
+
+    fn known(&self) -> &'static [Known] {
+        &[
+            Known { method: "centred-grid", n: 64, d: 2, value: "0", source: "the axes of a grid are independent" },
+            Known { method: "korobov(generator=1)", n: 64, d: 2, value: "1", source: "both axes are the same" },
+        ]
     }
 }
 

@@ -15,7 +15,7 @@
 //! assert!((minimum_distance(&points).unwrap() - 0.1).abs() < 1e-15);
 //! ```
 
-use super::{Measured, Metric, Unmeasured};
+use super::{Known, Measured, Metric, Unmeasured};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::samplers::digits::root;
@@ -69,6 +69,13 @@ impl Metric for MinimumDistance {
     fn measure(&self, points: &Points) -> Result<Measured, Unmeasured> {
         minimum_distance(points).map(Measured::exact).ok_or(Unmeasured::Kind("a distance needs two points"))
     }
+
+    fn known(&self) -> &'static [Known] {
+        &[
+            Known { method: "grid", n: 64, d: 2, value: "1/8", source: "the side of a cell" },
+            Known { method: "centred-grid", n: 256, d: 2, value: "1/16", source: "the side of a cell" },
+        ]
+    }
 }
 
 impl Metric for RelativeRadius {
@@ -77,6 +84,16 @@ impl Metric for RelativeRadius {
             .ok_or(Unmeasured::Kind("the relative radius is defined in one to four dimensions"))?;
         let distance = minimum_distance(points).ok_or(Unmeasured::Kind("a distance needs two points"))?;
         Ok(Measured::exact(distance / best))
+    }
+
+    fn known(&self) -> &'static [Known] {
+        &[Known {
+            method: "grid",
+            n: 64,
+            d: 2,
+            value: "sqrt(sqrt(3)/2)",
+            source: "the square lattice against the hexagonal one",
+        }]
     }
 }
 

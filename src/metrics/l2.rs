@@ -29,7 +29,7 @@
 
 #![expect(clippy::inline_always, reason = "a function of its own would be compiled without the wide registers")]
 
-use super::{Measured, Metric, Unmeasured};
+use super::{Known, Measured, Metric, Unmeasured};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::stats::moments::{Sum, sum};
@@ -105,17 +105,56 @@ impl Metric for L2Star {
     fn measure(&self, points: &Points) -> Result<Measured, Unmeasured> {
         Ok(Measured::exact(star(points)))
     }
+
+    fn known(&self) -> &'static [Known] {
+        &[
+            Known {
+                method: "centred-grid",
+                n: 16,
+                d: 1,
+                value: "1/(16*sqrt(12))",
+                source: "by hand: every interval of length $1/n$ has the same share",
+            },
+            Known {
+                method: "hammersley",
+                n: 64,
+                d: 2,
+                value: "sqrt(6^2/64 + 29*6/192 + 3/8 - 6/2^10 + 1/2^8 - 1/(72*4^6))/64",
+                source: "Halton and Zaremba (1969), for $n = 2^m$",
+            },
+        ]
+    }
 }
 
 impl Metric for Centred {
     fn measure(&self, points: &Points) -> Result<Measured, Unmeasured> {
         Ok(Measured::exact(centred(points)))
     }
+
+    fn known(&self) -> &'static [Known] {
+        &[Known {
+            method: "centred-grid",
+            n: 64,
+            d: 2,
+            value: "sqrt((13/12)^2 - 2*(13/12 + 1/(24*64))^2 + (13/12 + 1/(6*64))^2)",
+            source: "by hand: on a grid the sums of the formula factor over the axes",
+        }]
+    }
 }
 
 impl Metric for WrapAround {
     fn measure(&self, points: &Points) -> Result<Measured, Unmeasured> {
         Ok(Measured::exact(wrap_around(points)))
+    }
+
+    fn known(&self) -> &'static [Known] {
+        &[Known {
+            method: "grid",
+            n: 64,
+            d: 2,
+            value: "sqrt((4/3 + 1/(6*64))^2 - (4/3)^2)",
+            source: "by hand: on a grid the sums of the formula factor over the axes",
+        }]
     }
 }
 

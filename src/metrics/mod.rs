@@ -33,6 +33,26 @@ pub static METRICS: &[&dyn Metric] = &[
 pub trait Metric: Entry + Sync {
     /// Its value for `points`, which [`check`] has found valid.
     fn measure(&self, points: &Points) -> Result<Measured, Unmeasured>;
+
+    /// Values that are known exactly, from a publication or by hand.
+    fn known(&self) -> &'static [Known] {
+        &[]
+    }
+}
+
+/// The exact value of a measure for points that anybody can place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Known {
+    /// The method that places them, the same for every seed.
+    pub method: &'static str,
+    /// How many.
+    pub n: usize,
+    /// In how many dimensions.
+    pub d: usize,
+    /// The value as an expression.
+    pub value: &'static str,
+    /// Where it comes from, without a full stop.
+    pub source: &'static str,
 }
 
 /// The value of a measure.

@@ -16,7 +16,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Measured, Metric, Unmeasured};
+use super::{Known, Measured, Metric, Unmeasured};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::{Points, slab};
 use crate::samplers::digits::logarithm;
@@ -49,6 +49,20 @@ impl Metric for Quality {
         let t = quality(points, 2)
             .ok_or(Unmeasured::Kind("the quality t needs n = 2^m points, and at most 2^32 counts"))?;
         Ok(Measured::exact(f64::from(t)))
+    }
+
+    fn known(&self) -> &'static [Known] {
+        &[
+            Known { method: "hammersley", n: 64, d: 2, value: "0", source: "Niederreiter (1987)" },
+            Known { method: "sobol", n: 64, d: 2, value: "0", source: "Sobol' (1967)" },
+            Known {
+                method: "sobol",
+                n: 1024,
+                d: 3,
+                value: "1",
+                source: "Sobol' (1967): the degrees of the polynomials less one, added up",
+            },
+        ]
     }
 }
 

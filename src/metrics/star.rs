@@ -23,7 +23,7 @@
 use super::star_bound::branch;
 use super::star_space::in_space;
 use super::star_sweep::sweep;
-use super::{Measured, Metric, Unmeasured, check};
+use super::{Known, Measured, Metric, Unmeasured, check};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 
@@ -63,6 +63,39 @@ impl Entry for StarDiscrepancy {
 impl Metric for StarDiscrepancy {
     fn measure(&self, points: &Points) -> Result<Measured, Unmeasured> {
         star_discrepancy(points)
+    }
+
+    fn known(&self) -> &'static [Known] {
+        &[
+            Known {
+                method: "centred-grid",
+                n: 16,
+                d: 1,
+                value: "1/(2*16)",
+                source: "the least that 16 points of the line can have (Niederreiter 1972)",
+            },
+            Known {
+                method: "grid",
+                n: 64,
+                d: 2,
+                value: "1 - (1 - 1/8)^2",
+                source: "the box that ends just before the last row and the last column",
+            },
+            Known {
+                method: "centred-grid",
+                n: 64,
+                d: 2,
+                value: "(1 - 1/32)/8",
+                source: "the box that ends just before the last column",
+            },
+            Known {
+                method: "hammersley",
+                n: 64,
+                d: 2,
+                value: "(6/3 + 13/9 - 4/(9*64))/64",
+                source: "Halton and Zaremba (1969), for $n = 2^m$",
+            },
+        ]
     }
 }
 

@@ -9,6 +9,7 @@ use toml::de::DeValue;
 use super::audience::Audience;
 use super::budgets::{self, Budgets};
 use super::landing::{self, Passage};
+use super::shelf::{self, Shelf};
 use super::site::{self, Site};
 use super::source_map::SourceMap;
 use super::toml_text;
@@ -111,6 +112,8 @@ pub struct Configuration {
     pub seed: u64,
     /// What the landing page says of the course.
     pub landing: Vec<Passage>,
+    /// The parts of the catalogue that the book has pages of.
+    pub catalogue: Vec<Shelf>,
     /// LaTeX macros: name to replacement.
     pub macros: BTreeMap<String, String>,
 }
@@ -151,7 +154,8 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
     configuration.site = site::read(base_url, &mut fields);
     configuration.budgets = budgets::read(&mut fields);
     configuration.landing = landing::read(&mut fields, source, workspace, diagnostics);
-    let tables = ["budgets", "defaults", "landing", "math", "redirects", "repository"];
+    shelf::read(&mut fields, &mut configuration);
+    let tables = ["budgets", "catalogue", "defaults", "landing", "math", "redirects", "repository"];
     let known: Vec<&str> = Head::docs().iter().map(|doc| doc.name).chain(tables).collect();
     fields.finish(&known);
     diagnostics.extend(fields.complaints.into_iter().map(|complaint| located(complaint, source)));

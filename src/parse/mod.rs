@@ -7,6 +7,7 @@ mod audience;
 mod budgets;
 mod callout;
 mod configuration;
+mod emphasis;
 mod events;
 mod fence;
 mod front_matter;
@@ -14,6 +15,7 @@ mod given;
 mod inline;
 mod landing;
 mod node;
+mod shelf;
 mod site;
 mod source_map;
 mod term;
@@ -28,12 +30,14 @@ use crate::workspace::{self, Workspace};
 pub use audience::{Audience, without_files_of_solutions, without_solutions};
 pub use budgets::Budgets;
 pub use configuration::Configuration;
+pub use emphasis::{Emphasis, HELP, fence};
 pub use events::{inline as caption, parser_options};
 pub use fence::Fence;
 pub use front_matter::{Chosen, FrontMatter};
 pub use given::Given;
 pub use landing::Passage;
 pub use node::{Callout, CalloutKind, Cited, Computed, Formula, Label, Node, Term, ValueUse, What};
+pub use shelf::{Generated, Shelf};
 pub use site::{Commit, Redirect, Repository, Site};
 pub use source_map::SourceMap;
 pub use toml_text::table;
@@ -47,10 +51,14 @@ pub struct Chapter {
     pub stem: String,
     /// The stem without its leading number, e.g. `history`: the page's name.
     pub slug: String,
-    /// Its number as a reader sees it: `3`, or `A` if it is an appendix.
+    /// Its number as a reader sees it: `3`, `A` if it is an appendix, `S7` if code wrote it.
     pub number: String,
     /// Whether it is an appendix.
     pub appendix: bool,
+    /// The shelf of the catalogue that it belongs to, if code wrote it.
+    pub shelf: Option<Shelf>,
+    /// Whether it is the page of one member of the shelf, not that of the shelf.
+    pub member: bool,
     /// Title and summary.
     pub front: FrontMatter,
     /// What it consists of.
@@ -60,7 +68,12 @@ pub struct Chapter {
 impl Chapter {
     /// What a reader calls such a part of the book.
     pub fn word(&self) -> &'static str {
-        if self.appendix { "Appendix" } else { "Chapter" }
+        match self.shelf {
+            Some(shelf) if self.member => shelf.singular(),
+            Some(_) => "Catalogue",
+            None if self.appendix => "Appendix",
+            None => "Chapter",
+        }
     }
 
     /// What a reader calls it, e.g. `Chapter 3`.
@@ -95,10 +108,19 @@ pub struct Course {
     pub chapters: Vec<Chapter>,
 }
 
-/// Parses the whole course.
-pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
+/// Parses the configuration of a course.
+pub fn configuration(workspace: &Workspace) -> (Configuration, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
-    let configuration = configuration::read(workspace, &mut diagnostics);
+    (configuration::read(workspace, &mut diagnostics), diagnostics)
+}
+
+/// Parses the chapters of a course, then those that code wrote.
+pub fn course(
+    configuration: Configuration,
+    workspace: &Workspace,
+    generated: &[Generated],
+) -> (Course, Vec<Diagnostic>) {
+    let mut diagnostics = Vec::new();
     let sources = configuration::ordered_chapters(&configuration, workspace, &mut diagnostics);
     let count = sources.iter().filter(|(_, appendix)| !appendix).count();
     let chapters = sources.into_iter().enumerate().map(|(index, (source, appendix))| Chapter {
@@ -106,8 +128,16 @@ pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
         appendix,
         ..chapter(source, &configuration, workspace, &mut diagnostics)
     });
-    let chapters: Vec<Chapter> = chapters.collect();
-    check_slugs(&chapters, &mut diagnostics);
+    let mut chapters: Vec<Chapter> = chapters.collect();
+    check_slugs(&chapters, generated, &mut diagnostics);
+    chapters.extend(generated.iter().map(|page| Chapter {
+        number: page.number.clone(),
+        shelf: Some(page.shelf),
+        member: page.member,
+        stem: page.name().to_owned(),
+        slug: page.name().to_owned(),
+        ..chapter(&page.source, &configuration, workspace, &mut diagnostics)
+    }));
     site::check_redirects(&configuration.site, &chapters, workspace, &mut diagnostics);
     (Course { configuration, chapters }, diagnostics)
 }
@@ -116,11 +146,12 @@ pub fn course(workspace: &Workspace) -> (Course, Vec<Diagnostic>) {
 pub const OWN_PAGES: [&str; 7] = ["index", "exhibits", "terms", "kinds", "bibliography", "made", "404"];
 
 /// Complains of chapters whose pages would take each other's place, or that of a page of the book.
-fn check_slugs(chapters: &[Chapter], diagnostics: &mut Vec<Diagnostic>) {
+fn check_slugs(chapters: &[Chapter], generated: &[Generated], diagnostics: &mut Vec<Diagnostic>) {
     for (index, chapter) in chapters.iter().enumerate() {
         let other = chapters[..index].iter().find(|other| other.slug == chapter.slug).map(|other| &*other.file);
         let own = OWN_PAGES.contains(&chapter.slug.as_str()).then_some("the book itself");
-        if let Some(other) = other.or(own) {
+        let page = generated.iter().any(|page| page.name() == chapter.slug).then_some("the catalogue");
+        if let Some(other) = other.or(own).or(page) {
             let message =
                 format!("the page of `{}` would be `{}.html`, which is that of {other}", chapter.file, chapter.slug);
             diagnostics.push(Diagnostic::error(Code::ChapterOrder, message).help("give the chapter another name"));
@@ -146,6 +177,8 @@ fn chapter(
         stem,
         number: String::new(),
         appendix: false,
+        shelf: None,
+        member: false,
         front,
         content,
     }

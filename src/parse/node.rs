@@ -170,4 +170,13 @@ callouts! {
     Exercise "EXERCISE" "Exercise" Some("exr"), false;
     Hint "HINT" "Hint" None, true;
     Solution "SOLUTION" "Solution" None, true;
+    Slide "SLIDE" "Slide" None, false;
+    Notes "NOTES" "Speaker notes" None, false;
+}
+
+impl CalloutKind {
+    /// Whether it is for lectures: readers of the page do not see it.
+    pub fn is_for_lectures(self) -> bool {
+        matches!(self, CalloutKind::Slide | CalloutKind::Notes)
+    }
 }

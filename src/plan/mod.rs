@@ -6,6 +6,7 @@ mod audience;
 mod bibliography;
 mod changed;
 mod claim;
+mod emphasis;
 mod exhibit;
 mod format;
 mod formula;
@@ -15,6 +16,7 @@ mod listing;
 mod literal;
 mod references;
 mod seen;
+mod slides;
 mod slug;
 pub mod terms;
 mod typed;
@@ -112,6 +114,8 @@ fn planned(course: &Course, whole: Option<&Labels>, workspace: &Workspace) -> (P
     }
     plan.terms = terms::find(course, &plan, workspace, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
+    emphasis::check(course, workspace, &mut diagnostics);
+    slides::check(course, &mut diagnostics);
     (plan, diagnostics)
 }
 

@@ -9,6 +9,7 @@ use serde_json::{Map, Value as Json, json};
 use super::machine::number;
 use crate::chart::{Drawing, Figure};
 use crate::kinds::{Entries, Frame, Outcome};
+use crate::parse::Chapter;
 use crate::plan::Exhibit;
 
 /// The folder of the book that holds the exhibits' files.
@@ -24,8 +25,33 @@ pub(crate) struct File {
     pub bytes: Vec<u8>,
 }
 
-/// Every file of an exhibit: its data first, then its drawing.
-pub(crate) fn files(exhibit: &Exhibit, outcome: &Outcome, drawing: &Drawing) -> Vec<File> {
+/// Which files of an exhibit a book keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Keep {
+    /// All.
+    All,
+    /// Of the exhibit that stands for a page of the catalogue: its drawing, and data that are short.
+    Picture,
+    /// Of the others there: data that are short. `workbook run ID --format` writes the rest.
+    Data,
+}
+
+/// The longest data, in bytes, that a page of the catalogue keeps as a file.
+const SHORT: usize = 24_000;
+
+impl Keep {
+    /// What the exhibit `id` of a chapter keeps.
+    pub(crate) fn of(chapter: &Chapter, id: &str) -> Self {
+        match &chapter.front.picture {
+            _ if chapter.shelf.is_none() => Self::All,
+            Some(picture) if picture.id == id => Self::Picture,
+            _ => Self::Data,
+        }
+    }
+}
+
+/// Every file of an exhibit that the book keeps: its data first, then its drawing.
+pub(crate) fn files(exhibit: &Exhibit, outcome: &Outcome, drawing: &Drawing, keep: Keep) -> Vec<File> {
     let frames = exhibit.experiment.tables(outcome);
     let file = |name: &str, label: String, bytes: Vec<u8>| File {
         path: format!("{FOLDER}/{}{name}", exhibit.id),
@@ -41,9 +67,15 @@ pub(crate) fn files(exhibit: &Exhibit, outcome: &Outcome, drawing: &Drawing) -> 
             frames.iter().map(one).collect()
         }
     };
-    files.push(file(".json", "JSON".to_owned(), json(exhibit, outcome, &frames).into_bytes()));
+    if keep == Keep::All {
+        let names = frames.iter().map(|frame| frame.name).zip(&files).map(|(name, file)| (name, file.path.as_str()));
+        let text = summary(exhibit, outcome, names.collect());
+        files.push(file(".json", "JSON".to_owned(), text.into_bytes()));
+    } else {
+        files.retain(|file| file.bytes.len() <= SHORT);
+    }
     let svg = |figure: &Figure| file(".svg", "SVG".to_owned(), figure.svg.clone().into_bytes());
-    files.extend(drawing.figure().map(svg));
+    files.extend(drawing.figure().filter(|_| keep != Keep::Data).map(svg));
     if let Drawing::Pictures(pictures) = drawing {
         for (index, picture) in pictures.items.iter().enumerate() {
             let label = format!("PNG of {}", picture.name);
@@ -122,6 +154,17 @@ pub(crate) fn provenance(exhibit: &Exhibit, outcome: &Outcome) -> Map<String, Js
     .map(|(name, value)| (name.to_owned(), value))
     .into_iter()
     .collect()
+}
+
+/// An exhibit as JSON: its provenance, and under `tables` which file has the columns of each table.
+fn summary(exhibit: &Exhibit, outcome: &Outcome, tables: BTreeMap<&str, &str>) -> String {
+    let name = |path: &str| path.rsplit('/').next().unwrap_or(path).to_owned();
+    let mut whole = provenance(exhibit, outcome);
+    whole.insert(
+        "tables".to_owned(),
+        tables.into_iter().map(|(table, path)| (table.to_owned(), json!(name(path)))).collect(),
+    );
+    serde_json::to_string(&whole).unwrap_or_default() + "\n"
 }
 
 /// The whole data of an exhibit as JSON: its provenance, and its frames as columns under `tables`.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::markdown::Writer;
-use super::{Rendering, pictures, site, stepper, table};
+use super::{Rendering, code, pictures, site, stepper, table};
 use crate::chart::{Drawing, Stepper};
 use crate::diag::Diagnostic;
 use crate::exhibits::Verdict;
@@ -128,7 +128,7 @@ pub(super) fn listing(rendering: &Rendering<'_>, listing: &Listing) -> (String, 
         id: &listing.id,
         label: label(rendering, &listing.id),
         caption,
-        code: escape(&listing.code),
+        code: code::html(&listing.code, &listing.language, &listing.emphasis, true),
         language: &listing.language,
         source: &listing.source,
         source_page: site::source_of(rendering, &listing.source),

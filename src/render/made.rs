@@ -24,6 +24,8 @@ pub(super) struct Made<'a> {
     packages: Vec<Package>,
     seed: u64,
     groups: Vec<Group<'a>>,
+    /// The pages of the catalogue, where the provenance of their exhibits stands.
+    pages: Vec<Counted<'a>>,
     exhibit_count: usize,
     claim_count: usize,
     /// How many claims hold; a book in which one does not is not built.
@@ -36,6 +38,15 @@ struct Package {
     name: &'static str,
     version: &'static str,
     purpose: &'static str,
+}
+
+/// A page of the catalogue, and how much was made for it.
+#[derive(Serialize)]
+struct Counted<'a> {
+    #[serde(flatten)]
+    chapter: ChapterContext<'a>,
+    exhibits: usize,
+    claims: usize,
 }
 
 /// A chapter's part of the page.
@@ -58,6 +69,13 @@ pub(super) fn made<'a>(rendering: &'a Rendering<'a>) -> Made<'a> {
         let exhibits: Vec<_> = exhibits.map(|index| exhibit::provenance(rendering, index)).collect();
         Group { chapter, claims: exhibits.iter().map(|exhibit| exhibit.verdicts).sum(), exhibits }
     });
+    let members = rendering.course.chapters.iter().enumerate().filter(|(_, chapter)| chapter.member);
+    let members = members.map(|(index, _)| {
+        let own =
+            || rendering.plan.exhibits.iter().zip(rendering.shown).filter(move |(exhibit, _)| exhibit.chapter == index);
+        let claims = own().map(|(_, shown)| shown.verdicts.len()).sum();
+        Counted { chapter: pages::line(rendering, index, false), exhibits: own().count(), claims }
+    });
     let verdicts = || rendering.shown.iter().flat_map(|shown| &shown.verdicts);
     Made {
         engine: sources::sources().engine.to_string(),
@@ -65,6 +83,7 @@ pub(super) fn made<'a>(rendering: &'a Rendering<'a>) -> Made<'a> {
         packages: packages.collect(),
         seed: rendering.course.configuration.seed,
         groups: groups.filter(|group| !group.exhibits.is_empty()).collect(),
+        pages: members.collect(),
         exhibit_count: rendering.shown.len(),
         claim_count: verdicts().count(),
         held: verdicts().filter(|verdict| verdict.holds).count(),

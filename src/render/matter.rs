@@ -85,7 +85,7 @@ struct Thumbnail<'a> {
 
 /// The exhibits by chapter.
 pub(super) fn groups<'a>(rendering: &'a Rendering<'a>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Group<'a>> {
-    let chapters = rendering.course.chapters.iter().enumerate();
+    let chapters = rendering.course.chapters.iter().enumerate().filter(|(_, chapter)| chapter.shelf.is_none());
     let groups = chapters.map(|(index, chapter)| {
         let indices = (0..rendering.plan.exhibits.len()).filter(|&at| rendering.plan.exhibits[at].chapter == index);
         let exhibits = indices.map(|index| thumbnail(rendering, index, diagnostics)).collect();
@@ -182,10 +182,15 @@ pub(super) fn kinds(rendering: &Rendering<'_>) -> Vec<KindContext> {
     let of = |key: &'static str| {
         let exhibits =
             rendering.plan.exhibits.iter().filter(move |exhibit| exhibit.experiment.kind().about().key == key);
-        exhibits.map(|exhibit| UseContext {
+        let (catalogue, chapters): (Vec<_>, Vec<_>) =
+            exhibits.partition(|exhibit| rendering.course.chapters[exhibit.chapter].shelf.is_some());
+        // The catalogue has many alike: some of them do where no chapter has any.
+        let shown = if chapters.is_empty() { catalogue.into_iter().take(6).collect() } else { chapters };
+        let uses = shown.into_iter().map(|exhibit| UseContext {
             label: label(rendering, &exhibit.id),
             href: format!("{}#{}", rendering.href(exhibit.chapter), exhibit.id),
-        })
+        });
+        uses.collect()
     };
     let context = |kind: &&'static dyn kinds::AnyKind| {
         let about = kind.about();
@@ -194,7 +199,7 @@ pub(super) fn kinds(rendering: &Rendering<'_>) -> Vec<KindContext> {
             title: about.title,
             summary: literals(about.summary),
             parameters: kind.parameters().into_iter().map(ParameterContext::from).collect(),
-            exhibits: of(about.key).collect(),
+            exhibits: of(about.key),
         }
     };
     kinds::KINDS.iter().map(context).collect()

@@ -1,16 +1,24 @@
 //! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
 
+mod blocks;
+mod callouts;
 mod card;
 mod citations;
+mod code;
 pub(crate) mod data;
 mod exhibit;
+mod highlight;
 mod landing;
 pub(crate) mod machine;
 mod made;
 mod markdown;
 mod matter;
+mod notes;
 mod pages;
 mod pictures;
+mod previews;
+mod search;
+mod shelf;
 mod site;
 mod stepper;
 mod table;
@@ -68,13 +76,24 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     let converter = Converter::new(&course.configuration.macros, &mut diagnostics);
     let citations = Citations::format(course, plan, workspace, &mut diagnostics);
     let files = plan.exhibits.iter().zip(shown);
-    let files = files.map(|(exhibit, shown)| data::files(exhibit, &shown.outcome, &shown.drawing)).collect();
+    let files = files.map(|(exhibit, shown)| {
+        let keep = data::Keep::of(&course.chapters[exhibit.chapter], &exhibit.id);
+        data::files(exhibit, &shown.outcome, &shown.drawing, keep)
+    });
+    let files = files.collect();
     let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates, files };
     let mut book = Book::default();
-    for (path, bytes) in pages::all(&rendering, &mut diagnostics) {
+    let pages = pages::all(&rendering, &mut diagnostics);
+    let previews = previews::files(&rendering, &pages);
+    for (path, bytes) in pages.into_iter().chain(previews) {
         book.files.insert(path, bytes.into_bytes());
     }
+    let (path, index) = search::file(&rendering);
+    book.files.insert(path, index.into_bytes());
     book.files.extend(rendering.templates.assets());
+    if course.configuration.catalogue.is_empty() {
+        book.files.remove(&format!("{}/{}", templates::ASSETS, shelf::STYLE));
+    }
     site::files(&rendering, &mut book);
     book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
     book.files.extend(rendering.files.into_iter().flatten().map(|file| (file.path, file.bytes)));

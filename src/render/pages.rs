@@ -8,6 +8,7 @@ use super::landing;
 use super::made::made;
 use super::markdown::Writer;
 use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MADE, Matter, TERMS};
+use super::shelf::{self, MemberContext};
 use super::site::{self, SiteContext};
 use super::templates::ASSETS;
 use super::terms;
@@ -22,6 +23,8 @@ pub(super) struct BookContext<'a> {
     authors: &'a [String],
     language: &'a str,
     chapters: Vec<ChapterContext<'a>>,
+    /// The shelves of the catalogue.
+    catalogue: Vec<ChapterContext<'a>>,
     matter: Vec<MatterContext>,
     version: &'static str,
     site: SiteContext<'a>,
@@ -65,7 +68,7 @@ pub(super) struct PageContext<'a> {
 
 /// A neighbour in the order of the book.
 #[derive(Serialize)]
-struct Neighbour<'a> {
+pub(super) struct Neighbour<'a> {
     title: &'a str,
     href: String,
     number: &'a str,
@@ -89,7 +92,10 @@ struct ChapterPage<'a> {
     contents: Vec<SectionContext>,
     previous: Option<Neighbour<'a>>,
     next: Option<Neighbour<'a>>,
-    footnotes: String,
+    /// The shelf whose member it is.
+    up: Option<Neighbour<'a>>,
+    /// The members of the shelf that it is the page of.
+    members: Vec<MemberContext<'a>>,
 }
 
 /// A page that the book makes of itself, with what is its own.
@@ -133,29 +139,36 @@ pub(super) fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> Boo
         authors: &configuration.authors,
         language: &configuration.language,
         chapters: chapters(rendering, current).collect(),
+        catalogue: shelf::shelves(rendering, current).collect(),
         matter: matter::of(rendering).map(MatterContext::from).collect(),
         version: env!("CARGO_PKG_VERSION"),
         site: site::context(rendering, current),
     }
 }
 
-/// The chapters as lists of them show them.
+/// The chapters that people wrote, as lists of them show them.
 pub(super) fn chapters<'a>(
     rendering: &Rendering<'a>,
     current: Option<usize>,
 ) -> impl Iterator<Item = ChapterContext<'a>> {
-    let chapters = rendering.course.chapters.iter().enumerate();
-    chapters.map(move |(index, chapter)| ChapterContext {
+    let chapters = rendering.course.chapters.iter().enumerate().filter(|(_, chapter)| chapter.shelf.is_none());
+    chapters.map(move |(index, _)| line(rendering, index, current == Some(index)))
+}
+
+/// A line of a list of chapters.
+pub(super) fn line<'a>(rendering: &Rendering<'a>, index: usize, current: bool) -> ChapterContext<'a> {
+    let chapter = &rendering.course.chapters[index];
+    ChapterContext {
         number: &chapter.number,
         appendix: chapter.appendix,
         title: &chapter.front.title,
         summary: &chapter.front.summary,
         href: rendering.href(index),
-        current: current == Some(index),
-    })
+        current,
+    }
 }
 
-fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -> Option<Neighbour<'a>> {
+pub(super) fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -> Option<Neighbour<'a>> {
     let index = chapter?;
     let chapter = rendering.course.chapters.get(index)?;
     Some(Neighbour { title: &chapter.front.title, href: rendering.href(index), number: &chapter.number })
@@ -163,8 +176,9 @@ fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -> Option<Ne
 
 fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<Diagnostic>) -> String {
     let chapter = &rendering.course.chapters[index];
-    let written = Writer::new(rendering, index).chapter();
-    diagnostics.extend(written.diagnostics);
+    let (body, complaints) = Writer::new(rendering, index).chapter();
+    diagnostics.extend(complaints);
+    let (previous, next) = shelf::neighbours(&rendering.course.chapters, index);
     let context = ChapterPage {
         book: book(rendering, Some(index)),
         page: PageContext {
@@ -175,11 +189,12 @@ fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<D
             href: rendering.href(index),
         },
         assets: ASSETS,
-        body: written.body,
+        body,
         contents: contents(rendering, index),
-        previous: neighbour(rendering, index.checked_sub(1)),
-        next: neighbour(rendering, Some(index + 1)),
-        footnotes: written.footnotes,
+        previous: neighbour(rendering, previous),
+        next: neighbour(rendering, next),
+        up: neighbour(rendering, shelf::above(&rendering.course.chapters, index)),
+        members: shelf::members(rendering, index),
     };
     rendering.templates.fill("page.html", &context, diagnostics)
 }

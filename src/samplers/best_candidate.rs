@@ -83,6 +83,10 @@ impl Sampler for BestCandidate {
         Some(Box::new(Self { candidates: values.at(0).unwrap_or(CANDIDATES) }))
     }
 
+    fn searches(&self) -> bool {
+        true
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
         poisson::check(n, d)?;
         if n > MOST {

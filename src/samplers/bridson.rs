@@ -91,6 +91,10 @@ impl Sampler for Bridson {
         Some(Box::new(Self { tries: values.at(0).unwrap_or(TRIES) }))
     }
 
+    fn searches(&self) -> bool {
+        true
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
         poisson::check(n, d)
     }

@@ -20,7 +20,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Guarantee, Refused, Sampler, refused, regular};
+use super::{Feature, Guarantee, Refused, Sampler, refused, regular};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -52,6 +52,11 @@ impl Entry for CentredGrid {
 impl Sampler for CentredGrid {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Strata, Guarantee::Deterministic]
+    }
+
+    fn rate(&self, feature: Feature, d: usize) -> Option<f64> {
+        // The midpoint rule.
+        (feature == Feature::Smooth).then_some(-2.0 / d as f64)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

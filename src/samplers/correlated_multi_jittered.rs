@@ -10,7 +10,7 @@
 //!
 //! **Cost.** Two random numbers for each point.
 //!
-//! **Limits.** Two dimensions (or one); n = columns x rows with rows <= columns <= 2 rows, or
+//! **Limits.** Two dimensions (or one); n = columns × rows with rows <= columns <= 2 rows, or
 //! any rows and columns that are set. It does not always beat plain jitter: for xy at n = 16 its variance is 2.68e-4 against 2.15e-4.
 //!
 //! **Paper.** A. Kensler, Correlated Multi-Jittered Sampling, Pixar Technical Memo 13-01 (2013).

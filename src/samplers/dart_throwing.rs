@@ -69,6 +69,10 @@ impl Sampler for DartThrowing {
         &[Guarantee::Separated { percent: 70 }, Guarantee::Unbiased]
     }
 
+    fn searches(&self) -> bool {
+        true
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
         poisson::check(n, d)
     }

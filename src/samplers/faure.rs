@@ -27,7 +27,9 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Digital, Digits, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, digits, refused};
+use super::{
+    Digital, Digits, Feature, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, digits, refused,
+};
 use crate::catalogue::{About, Entry, Paper};
 
 /// The most dimensions.
@@ -85,6 +87,11 @@ impl Sampler for Faure {
 
     fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
         Some(Box::new(Self { base: values.at(0) }))
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

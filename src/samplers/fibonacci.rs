@@ -22,7 +22,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Guarantee, Refused, Sampler, refused};
+use super::{Feature, Guarantee, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -54,6 +54,11 @@ impl Entry for Fibonacci {
 impl Sampler for Fibonacci {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Latin, Guarantee::Deterministic]
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

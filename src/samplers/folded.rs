@@ -23,7 +23,7 @@
 //! ```
 
 use super::halton::{MOST_DIMENSIONS, PRIMES};
-use super::{Guarantee, Radix, Refused, Sampler, refused};
+use super::{Feature, Guarantee, Radix, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -55,6 +55,11 @@ impl Entry for Folded {
 impl Sampler for Folded {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Prefix, Guarantee::Boxes, Guarantee::Deterministic]
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

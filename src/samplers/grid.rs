@@ -21,7 +21,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Guarantee, Refused, Sampler, refused, regular};
+use super::{Feature, Guarantee, Refused, Sampler, refused, regular};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -53,6 +53,11 @@ impl Entry for Grid {
 impl Sampler for Grid {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Strata, Guarantee::Deterministic]
+    }
+
+    fn rate(&self, feature: Feature, d: usize) -> Option<f64> {
+        // The corners lean to the origin by half a cell.
+        (feature != Feature::Edge).then_some(-1.0 / d as f64)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

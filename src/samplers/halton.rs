@@ -24,7 +24,7 @@
 //! assert_eq!(radical_inverse(5, 3), 7.0 / 9.0); // 5 is 12 in base 3; reversed, 0.21 = 7/9
 //! ```
 
-use super::{Digital, Digits, Guarantee, Radix, Refused, Sampler, digits, refused};
+use super::{Digital, Digits, Feature, Guarantee, Radix, Refused, Sampler, digits, refused};
 use crate::catalogue::{About, Entry, Paper};
 
 /// The most dimensions.
@@ -71,6 +71,11 @@ impl Entry for Halton {
 impl Sampler for Halton {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Prefix, Guarantee::Boxes, Guarantee::Deterministic]
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

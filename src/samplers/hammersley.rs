@@ -28,7 +28,9 @@
 
 use super::digits::{logarithm, root};
 use super::halton::{MOST_DIMENSIONS, PRIMES};
-use super::{Digital, Digits, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, batch, refused};
+use super::{
+    Digital, Digits, Feature, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, batch, refused,
+};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -82,6 +84,11 @@ impl Sampler for Hammersley {
 
     fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
         Some(Box::new(Self { base: values.at(0) }))
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

@@ -20,7 +20,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Guarantee, Refused, Sampler, refused};
+use super::{Feature, Guarantee, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::{Random, Seed};
@@ -52,6 +52,10 @@ impl Entry for Independent {
 impl Sampler for Independent {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Prefix, Guarantee::Unbiased]
+    }
+
+    fn rate(&self, _feature: Feature, _d: usize) -> Option<f64> {
+        Some(-0.5)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

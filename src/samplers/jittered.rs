@@ -31,7 +31,7 @@
 
 use super::digits::{root, within};
 use super::sides::{self, Sides};
-use super::{Guarantee, Refused, Sampler, Setting, Values, refused};
+use super::{Feature, Guarantee, Refused, Sampler, Setting, Values, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::{Random, Seed};
@@ -85,6 +85,11 @@ impl Sampler for Jittered {
 
     fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
         Some(Box::new(Self { sides: Sides::told(values) }))
+    }
+
+    fn rate(&self, feature: Feature, d: usize) -> Option<f64> {
+        // What is left varies within cells of side n^(-1/d): all of them, or those that the edge crosses.
+        Some(-0.5 - if feature == Feature::Edge { 0.5 } else { 1.0 } / d as f64)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

@@ -27,7 +27,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Guarantee, Preset, Refused, Sampler, Setting, Values, refused};
+use super::{Feature, Guarantee, Preset, Refused, Sampler, Setting, Values, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -98,6 +98,11 @@ impl Sampler for Korobov {
 
     fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
         Some(Box::new(Self { generator: values.at(0) }))
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

@@ -27,7 +27,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Guarantee, Refused, Sampler, refused};
+use super::{Feature, Guarantee, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -71,6 +71,11 @@ impl Entry for Kronecker {
 impl Sampler for Kronecker {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Prefix, Guarantee::Deterministic]
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

@@ -23,7 +23,7 @@
 //! ```
 
 use super::digits::logarithm;
-use super::{Digital, Digits, Guarantee, Net, Refused, Sampler, refused};
+use super::{Digital, Digits, Feature, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 
 /// The sampler `larcher-pillichshammer`.
@@ -62,6 +62,11 @@ impl Entry for LarcherPillichshammer {
 impl Sampler for LarcherPillichshammer {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Whole, Guarantee::Deterministic]
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

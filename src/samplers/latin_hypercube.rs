@@ -30,7 +30,7 @@
 //! ```
 
 use super::digits::within;
-use super::{Guarantee, Refused, Sampler, refused};
+use super::{Feature, Guarantee, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::{Random, Seed};
@@ -71,6 +71,15 @@ impl Entry for LatinHypercube {
 impl Sampler for LatinHypercube {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Latin, Guarantee::Unbiased]
+    }
+
+    fn rate(&self, feature: Feature, d: usize) -> Option<f64> {
+        let additive = d == 1 || feature == Feature::Additive;
+        Some(match feature {
+            Feature::Edge if d == 1 => -1.0,
+            _ if additive => -1.5,
+            _ => -0.5,
+        })
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

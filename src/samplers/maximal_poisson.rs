@@ -65,6 +65,10 @@ impl Sampler for MaximalPoisson {
         &[Guarantee::Separated { percent: 65 }, Guarantee::Unbiased]
     }
 
+    fn searches(&self) -> bool {
+        true
+    }
+
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {
         poisson::check(n, d)
     }

@@ -129,6 +129,17 @@ pub trait Sampler: Entry + Sync {
         vec![digits::root(n as u64, d as u32) as usize; d]
     }
 
+    /// The exponent of n in the root mean square error that theory gives it in `d` dimensions, up to
+    /// logarithms, for integrands with this `_feature`; `None` where nothing is said.
+    fn rate(&self, _feature: Feature, _d: usize) -> Option<f64> {
+        None
+    }
+
+    /// Whether each point is searched for among those before, so that many points take long.
+    fn searches(&self) -> bool {
+        false
+    }
+
     /// Coordinate `axis` of point `index`, pure by position, for the `n` points of `d` dimensions
     /// that `seed` gives; `None` where points depend on each other. Sequences heed no n.
     fn at(&self, n: usize, d: usize, _seed: Seed) -> Option<Box<dyn Fn(u64, usize) -> f64 + Send + Sync>> {
@@ -198,6 +209,19 @@ pub struct Net {
     pub base: u32,
     /// The quality parameter t; 0 is best.
     pub t: u32,
+}
+
+/// What decides on the rate at which an integrand's error falls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Feature {
+    /// It is smooth, and no sum of functions of one variable.
+    Smooth,
+    /// It is a sum of smooth functions of one variable each.
+    Additive,
+    /// It is continuous, with a kink across an axis.
+    Kink,
+    /// It jumps at an edge that is parallel to no axis; on the line, at a point.
+    Edge,
 }
 
 /// A promise that a sampler makes and the battery proves. Every sampler moreover stays in [0, 1).

@@ -1,6 +1,6 @@
 //! Multi-jittered sampling: a jittered grid whose points are also n rooks.
 //!
-//! **What.** The square has columns x rows cells with one point each; every column of cells is cut
+//! **What.** The square has columns × rows cells with one point each; every column of cells is cut
 //! into as many thin slabs as it has cells, and its points take one slab each, in random order; the
 //! same for the rows.
 //!
@@ -12,7 +12,7 @@
 //!
 //! **Cost.** Four random numbers for each point.
 //!
-//! **Limits.** Two dimensions (or one, where it is jittered sampling); n = columns x rows with rows
+//! **Limits.** Two dimensions (or one, where it is jittered sampling); n = columns × rows with rows
 //! <= columns <= 2 rows, or any rows and columns that are set. Beware of whole-number division: i / m as integers crowds every x into the
 //! first column.
 //!
@@ -31,7 +31,7 @@
 use super::axes::by_axis;
 use super::digits::within;
 use super::sides::{self, Sides};
-use super::{Guarantee, Refused, Sampler, Setting, Values};
+use super::{Feature, Guarantee, Refused, Sampler, Setting, Values};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -76,6 +76,14 @@ impl Sampler for MultiJittered {
 
     fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
         Some(Box::new(Self { sides: Sides::told(values) }))
+    }
+
+    fn rate(&self, feature: Feature, d: usize) -> Option<f64> {
+        match feature {
+            Feature::Additive => Some(-1.5),
+            Feature::Edge => Some(-0.5 - 0.5 / d as f64),
+            Feature::Smooth | Feature::Kink => Some(-0.5 - 1.0 / d as f64),
+        }
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

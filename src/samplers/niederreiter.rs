@@ -32,7 +32,7 @@
 //! # Ok::<(), workbook::samplers::Refused>(())
 //! ```
 
-use super::{Digital, Digits, Guarantee, Net, Refused, Sampler, refused};
+use super::{Digital, Digits, Feature, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 
 /// The most dimensions.
@@ -77,6 +77,11 @@ impl Entry for Niederreiter {
 impl Sampler for Niederreiter {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Prefix, Guarantee::Net, Guarantee::Deterministic]
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

@@ -6,7 +6,7 @@
 //!
 //! **Formula.** Run (a, b) has the symbols a, b, a + b, a + 2b, ..., a + (p - 1) b modulo p.
 //!
-//! **Guarantees.** One point in each cell of the p x p grid of every pair of axes; one in each of
+//! **Guarantees.** One point in each cell of the p × p grid of every pair of axes; one in each of
 //! the n slabs of every axis; unbiased. The variance loses all one- and two-dimensional parts of f.
 //!
 //! **Cost.** A few random numbers for each coordinate.
@@ -26,7 +26,7 @@
 
 use super::axes::by_axis;
 use super::digits::{root, within};
-use super::{Guarantee, Refused, Sampler, refused};
+use super::{Feature, Guarantee, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -74,6 +74,17 @@ impl Entry for OrthogonalArray {
 impl Sampler for OrthogonalArray {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Strength { t: 2 }, Guarantee::Latin, Guarantee::Unbiased]
+    }
+
+    fn rate(&self, feature: Feature, d: usize) -> Option<f64> {
+        if d != 2 {
+            return None;
+        }
+        match feature {
+            Feature::Additive => Some(-1.5),
+            Feature::Edge => Some(-0.5 - 0.5 / d as f64),
+            Feature::Smooth | Feature::Kink => Some(-0.5 - 1.0 / d as f64),
+        }
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

@@ -6,7 +6,7 @@
 //! **Formula.** Pair p of point i is the jittered point number s_p(i), with s_p random permutations
 //! of 0..n.
 //!
-//! **Guarantees.** Unbiased; every pair (2p, 2p + 1) has one point in each cell of the k x k grid.
+//! **Guarantees.** Unbiased; every pair (2p, 2p + 1) has one point in each cell of the k × k grid.
 //!
 //! **Cost.** A random number for each coordinate and one for each pair.
 //!
@@ -25,7 +25,7 @@
 
 use super::digits::root;
 use super::jittered::jitter;
-use super::{Guarantee, Refused, Sampler, refused};
+use super::{Feature, Guarantee, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -57,6 +57,14 @@ impl Entry for PaddedJittered {
 impl Sampler for PaddedJittered {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Pairs, Guarantee::Unbiased]
+    }
+
+    fn rate(&self, feature: Feature, d: usize) -> Option<f64> {
+        if d > 2 {
+            return None;
+        }
+        // What is left varies within cells of side n^(-1/d): all of them, or those that the edge crosses.
+        Some(-0.5 - if feature == Feature::Edge { 0.5 } else { 1.0 } / d as f64)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

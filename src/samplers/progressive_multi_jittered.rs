@@ -32,7 +32,7 @@
 use super::digits::GRAIN;
 use super::van_der_corput::reversed_bits;
 use super::zero_two::pascal;
-use super::{Guarantee, Net, Refused, Sampler, refused};
+use super::{Feature, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::scrambles::owen::nested_flips;
@@ -81,6 +81,15 @@ impl Entry for ProgressiveMultiJittered {
 impl Sampler for ProgressiveMultiJittered {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Prefix, Guarantee::Net, Guarantee::Unbiased]
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // As scrambled nets, at n = 2^m.
+        match feature {
+            Feature::Smooth | Feature::Additive => Some(-1.5),
+            Feature::Edge => Some(-0.75),
+            Feature::Kink => None,
+        }
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

@@ -26,7 +26,7 @@
 //! ```
 
 use super::digits::is_prime;
-use super::{Digital, Digits, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, refused};
+use super::{Digital, Digits, Feature, Guarantee, Net, Preset, Radix, Refused, Sampler, Setting, Values, refused};
 use crate::catalogue::{About, Entry, Paper};
 
 /// The sampler `radical-inverse` in some base, and its digits.
@@ -82,6 +82,11 @@ impl Sampler for RadicalInverse {
 
     fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
         Some(Box::new(Self { radix: Radix::new(values.at(0).unwrap_or(BASE)) }))
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

@@ -29,7 +29,7 @@
 //! ```
 
 use super::digits::GRAIN;
-use super::{Digital, Digits, Guarantee, Net, Refused, Sampler, refused};
+use super::{Digital, Digits, Feature, Guarantee, Net, Refused, Sampler, refused};
 use crate::catalogue::{About, Entry, Paper};
 
 /// The most dimensions.
@@ -88,6 +88,11 @@ impl Entry for Sobol {
 impl Sampler for Sobol {
     fn guarantees(&self) -> &'static [Guarantee] {
         &[Guarantee::Prefix, Guarantee::Net, Guarantee::Deterministic]
+    }
+
+    fn rate(&self, feature: Feature, _d: usize) -> Option<f64> {
+        // By the inequality of Koksma and Hlawka.
+        (feature != Feature::Edge).then_some(-1.0)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

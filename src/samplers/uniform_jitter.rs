@@ -1,6 +1,6 @@
 //! Uniform jitter: one random offset for all cells of a grid.
 //!
-//! **What.** The square is cut into columns x rows equal cells, as they are set or as nearly square
+//! **What.** The square is cut into columns × rows equal cells, as they are set or as nearly square
 //! as n allows, and all of them get the same random place inside; in more than two dimensions the
 //! grid has n = k^d cells.
 //!
@@ -27,7 +27,7 @@
 
 use super::digits::{self, within};
 use super::sides::{self, Sides};
-use super::{Guarantee, Refused, Sampler, Setting, Values, refused};
+use super::{Feature, Guarantee, Refused, Sampler, Setting, Values, refused};
 use crate::catalogue::{About, Entry, Paper};
 use crate::points::Points;
 use crate::seed::Seed;
@@ -72,6 +72,11 @@ impl Sampler for UniformJitter {
 
     fn with(&self, values: Values) -> Option<Box<dyn Sampler>> {
         Some(Box::new(Self { sides: Sides::told(values) }))
+    }
+
+    fn rate(&self, feature: Feature, d: usize) -> Option<f64> {
+        // All cells lean to the same side by the same part of a cell.
+        (feature != Feature::Edge).then_some(-1.0 / d as f64)
     }
 
     fn admits(&self, n: usize, d: usize) -> Result<(), Refused> {

@@ -5,8 +5,8 @@
 //! and XORs with an even multiple. Reversed back, each digit is flipped or not by a function of
 //! those before it: a nested scrambling.
 //!
-//! **Formula.** With n reversed: n ^= n * 0x3d20adea; n += s; n *= (s >> 16) | 1; n ^= n *
-//! 0x05526c56; n ^= n * 0x53a22864 (N. Vegdahl's constants of 2021, which mend the weak early
+//! **Formula.** With n reversed: `n ^= n * 0x3d20adea`, `n += s`, `n *= (s >> 16) | 1`, `n ^= n *
+//! 0x05526c56`, `n ^= n * 0x53a22864` (N. Vegdahl's constants of 2021, which mend the weak early
 //! digits of those first published).
 //!
 //! **Guarantees.** As Owen's: unbiased up to 2^-33, nets stay nets, prefixes prefixes.

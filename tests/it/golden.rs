@@ -29,6 +29,8 @@ const DIAGNOSTICS: &str = "expected.txt";
 const BOOK: &str = "expected/";
 /// The pages that tell of this build: its kinds, its code.
 const OWN_PAGES: [&str; 2] = ["kinds.html", "made.html"];
+/// The index of the search, which has the kinds of this build as well; `search` tests what it holds.
+const INDEX: &str = "assets/search-index.js";
 /// The page for addresses that lead nowhere: one case holds its text.
 const LOST: &str = "404.html";
 /// The list of files that are no pages.
@@ -140,6 +142,9 @@ fn without_keys(mut text: String, keys: &[String]) -> String {
 fn other(path: &str, bytes: &[u8]) -> String {
     if OWN_PAGES.contains(&path) || extension(path) == Some("html") {
         return "a page".to_owned();
+    }
+    if path == INDEX {
+        return "the index of the search".to_owned();
     }
     let template = fs::read(Path::new(PACKAGE).join("templates").join(path));
     let css = workbook::chart::palette::css();

@@ -16,6 +16,7 @@ mod behaviour;
 mod bite;
 #[cfg(feature = "publish")]
 mod cache;
+mod catalogue;
 mod checks;
 #[cfg(feature = "publish")]
 mod cli;
@@ -30,11 +31,15 @@ mod enumeration;
 mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
+mod formulas;
+#[cfg(feature = "publish")]
 mod gallery;
 #[cfg(feature = "publish")]
 mod golden;
 #[cfg(feature = "publish")]
 mod kinds;
+#[cfg(feature = "publish")]
+mod listings;
 #[cfg(feature = "publish")]
 mod lock;
 mod measures;
@@ -53,8 +58,16 @@ mod point_questions;
 mod points;
 mod properties;
 #[cfg(feature = "publish")]
+mod reading;
+#[cfg(feature = "publish")]
+mod receipt;
+#[cfg(feature = "publish")]
 mod review;
+#[cfg(feature = "publish")]
+mod search;
 mod settings;
+#[cfg(feature = "publish")]
+mod slides;
 #[cfg(feature = "publish")]
 mod spectral;
 mod statistics;

@@ -1,0 +1,157 @@
+//! The text of a page: front matter, then markdown, piece by piece.
+
+use std::fmt::Write as _;
+
+use super::manual::Manual;
+use super::typeset::typeset;
+use crate::catalogue::{About, Paper};
+use crate::parse::Shelf;
+
+/// A page that is being written.
+pub(super) struct Page<'a> {
+    text: String,
+    /// The shelves of the book, for links.
+    shelves: &'a [Shelf],
+}
+
+/// A fence of an experiment that is being written.
+pub(super) struct Fence {
+    lines: Vec<String>,
+    claims: Vec<String>,
+}
+
+impl<'a> Page<'a> {
+    /// A page with its title, its sentence and, where there is one, the exhibit that stands for it.
+    pub(super) fn new(title: &str, summary: &str, picture: Option<&str>, shelves: &'a [Shelf]) -> Self {
+        let mut text = format!("+++\ntitle = {}\nsummary = {}\n", quoted(title), quoted(summary));
+        if let Some(id) = picture {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "picture = {}", quoted(id));
+        }
+        text.push_str("+++\n\n");
+        Self { text, shelves }
+    }
+
+    /// A section; `id` is the same on every page of a kind.
+    pub(super) fn section(&mut self, title: &str, id: &str) {
+        let _ = write!(self.text, "## {title} {{#{id}}}\n\n");
+    }
+
+    /// A block of markdown.
+    pub(super) fn block(&mut self, markdown: &str) {
+        self.text.push_str(markdown.trim_end());
+        self.text.push_str("\n\n");
+    }
+
+    /// A list of markdown lines.
+    pub(super) fn list(&mut self, items: impl IntoIterator<Item = String>) {
+        for item in items {
+            let _ = writeln!(self.text, "- {item}");
+        }
+        self.text.push('\n');
+    }
+
+    /// The paragraphs of an entry's own text that have one of these heads.
+    pub(super) fn told(&mut self, manual: &Manual, heads: &[&str]) {
+        for (head, words) in manual.parts.iter().filter(|(head, _)| heads.contains(&head.as_str())) {
+            self.block(&format!("**{head}.** {}", typeset(words, self.shelves)));
+        }
+    }
+
+    /// An experiment.
+    pub(super) fn experiment(&mut self, fence: Fence) {
+        let _ = writeln!(self.text, "```experiment\n{}", fence.lines.join("\n"));
+        if !fence.claims.is_empty() {
+            let _ = writeln!(self.text, "\n[claims]\n{}", fence.claims.join("\n"));
+        }
+        self.text.push_str("```\n\n");
+    }
+
+    /// A listing of an item of the library.
+    pub(super) fn listing(&mut self, id: &str, item: &str, caption: &str) {
+        let caption = quoted(caption);
+        let _ = write!(self.text, "```listing\nid = \"{id}\"\nitem = \"{item}\"\ncaption = {caption}\n```\n\n");
+    }
+
+    /// The section of the works that an entry comes from.
+    pub(super) fn papers(&mut self, about: &About) {
+        self.section(if about.papers.len() == 1 { "Paper" } else { "Papers" }, "papers");
+        self.list(about.papers.iter().map(paper));
+    }
+
+    /// The finished text.
+    pub(super) fn finish(self) -> String {
+        self.text.trim_end().to_owned() + "\n"
+    }
+}
+
+impl Fence {
+    /// A fence of the kind `kind`.
+    pub(super) fn new(kind: &str, id: &str) -> Self {
+        Self { lines: vec![format!("id = \"{id}\""), format!("kind = \"{kind}\"")], claims: Vec::new() }
+    }
+
+    /// With a parameter, its value as TOML.
+    pub(super) fn with(mut self, name: &str, value: impl std::fmt::Display) -> Self {
+        self.lines.push(format!("{name} = {value}"));
+        self
+    }
+
+    /// With a parameter that is a list of words.
+    pub(super) fn words<S: AsRef<str>>(self, name: &str, words: &[S]) -> Self {
+        let words: Vec<String> = words.iter().map(|word| quoted(word.as_ref())).collect();
+        self.with(name, format!("[{}]", words.join(", ")))
+    }
+
+    /// With a parameter that is a word.
+    pub(super) fn word(self, name: &str, word: &str) -> Self {
+        self.with(name, quoted(word))
+    }
+
+    /// With a parameter that is a list of numbers.
+    pub(super) fn numbers(self, name: &str, numbers: &[usize]) -> Self {
+        self.with(name, format!("{numbers:?}"))
+    }
+
+    /// With its caption.
+    pub(super) fn caption(self, caption: &str) -> Self {
+        self.with("caption", quoted(caption))
+    }
+
+    /// With a claim, its bound as TOML.
+    pub(super) fn claim(mut self, value: &str, bound: impl std::fmt::Display) -> Self {
+        self.claims.push(format!("{} = {{ {bound} }}", quoted(value)));
+        self
+    }
+
+    /// With more claims.
+    pub(super) fn claims(self, claims: impl IntoIterator<Item = (String, String)>) -> Self {
+        claims.into_iter().fold(self, |fence, (value, bound)| fence.claim(&value, bound))
+    }
+}
+
+/// A text as TOML: as it stands where it can.
+pub(super) fn quoted(text: &str) -> String {
+    if text.contains(['\'', '\n']) { toml::Value::from(text).to_string() } else { format!("'{text}'") }
+}
+
+/// A work, as the list of a page has it.
+fn paper(paper: &Paper) -> String {
+    let Paper { authors, year, title, venue, doi } = paper;
+    let title = plain(title);
+    let told = if venue.starts_with("http") { format!("<{venue}>") } else { plain(venue) };
+    let doi = doi.map(|doi| format!(". [doi:{}](<https://doi.org/{doi}>)", plain(doi))).unwrap_or_default();
+    format!("{} ({year}). *{title}*. {told}{doi}", plain(authors))
+}
+
+/// Text that markdown takes as it is.
+pub(super) fn plain(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if "\\*_[]`$<>@".contains(c) {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
+}
