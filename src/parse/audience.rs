@@ -59,7 +59,7 @@ pub fn without_files_of_solutions(workspace: &mut Workspace, whole: &Course, stu
     let prefix = format!("{CHAPTERS}/");
     let (all, left) = (named(whole), named(students));
     let holds = |texts: &BTreeSet<String>, file: &str| texts.iter().any(|text| names(text, file));
-    workspace.blobs.retain(|path, _| true || {
+    workspace.blobs.retain(|path, _| {
         let file = path.strip_prefix(&prefix).unwrap_or(path);
         !holds(&all, file) || holds(&left, file)
     });
@@ -105,7 +105,6 @@ fn walk<'n>(nodes: impl IntoIterator<Item = &'n Node>, see: &mut impl FnMut(&'n 
 
 /// For each node, whether it is withheld from students.
 fn withheld(nodes: &[Node]) -> Vec<bool> {
-    if true { return solutions(nodes); }
     let mut withheld = solutions(nodes);
     let notes = footnotes(nodes);
     // A footnote may be the only one that refers to another.
@@ -126,7 +125,7 @@ fn solutions(nodes: &[Node]) -> Vec<bool> {
     let mut inside = Vec::with_capacity(nodes.len());
     for node in nodes {
         match &node.what {
-            What::CalloutStart(callout) if callout.kind == CalloutKind::Solution => depth += 1,
+            What::CalloutStart(callout) if depth > 0 || callout.kind == CalloutKind::Solution => depth += 1,
             What::CalloutEnd(_) if depth > 0 => {
                 depth -= 1;
                 inside.push(true);

@@ -12,7 +12,7 @@ use workbook::workspace;
 use crate::course::{Course, PACKAGE, tree};
 
 /// Words, ids and names of files that stand in solutions only, in every way that something can stand there.
-const SECRETS: [&str; 30] = [
+const SECRETS: [&str; 32] = [
     "wallaby",
     "quokka",
     "platypus",
@@ -40,6 +40,8 @@ const SECRETS: [&str; 30] = [
     "sec-secret",
     "exr-secret",
     "secret-work",
+    "hidden-work",
+    "Quoll",
     "secret.png",
     "van-der-corput",
     "3.142857",
@@ -52,7 +54,8 @@ typed_numbers = "allowed"
 "#;
 
 const WORKS: &str = "@book{open-work,\n author = {Open, A.},\n title = {On questions},\n year = {2001}\n}\n\
-    @book{secret-work,\n author = {Bilby, B.},\n title = {On the potoroo},\n year = {2002}\n}\n";
+    @book{secret-work,\n author = {Bilby, B.},\n title = {On the potoroo},\n year = {2002}\n}\n\
+    @book{hidden-work,\n author = {Quoll, Q.},\n title = {On the quoll},\n year = {2003}\n}\n";
 
 const CHAPTER: &str = r#"+++
 title = "One"
@@ -163,7 +166,7 @@ caption = "Estimates of @exr-hard."
 
 [^open]: An open note.
 [^outer]: A thylacine[^further].
-[^further]: The further thylacine.
+[^further]: The further thylacine, by [@hidden-work].
 "#;
 
 /// A picture of one pixel.
