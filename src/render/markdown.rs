@@ -16,6 +16,9 @@ use crate::plan::{Format, escape, links, terms};
 /// The character that forbids a line's break where it stands.
 const JOINER: char = '\u{2060}';
 
+/// A formula within a line that has more letters and signs than this may be wider than a small screen.
+const LONG: usize = 22;
+
 /// Writes the nodes of one chapter.
 pub(super) struct Writer<'a> {
     pub(super) rendering: &'a Rendering<'a>,
@@ -258,7 +261,13 @@ impl<'a> Writer<'a> {
         if self.out.ends_with(['(', '[', '“', '‘', '-', '–', '/']) {
             self.out.push(JOINER);
         }
+        let before = self.out.len();
         self.formula(formula, false);
+        if letters(&self.out[before..]) > LONG {
+            // Lines do not break within a formula: on a small screen this one scrolls.
+            self.out.insert_str(before, "<span class=\"long-formula\">");
+            self.out.push_str("</span>");
+        }
         let touches = |text: &str| text.starts_with(|c: char| !c.is_whitespace());
         let joined = match next.map(|next| &next.what) {
             Some(What::Markdown(Event::Text(text))) => touches(text),
@@ -348,4 +357,9 @@ impl<'a> Writer<'a> {
         }
         self.out.push_str(if term.defines { "</dfn>" } else { "</a>" });
     }
+}
+
+/// How many characters a formula shows.
+fn letters(math: &str) -> usize {
+    math.split('>').filter_map(|piece| piece.split('<').next()).map(|text| text.chars().count()).sum()
 }

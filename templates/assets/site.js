@@ -50,7 +50,7 @@
 
   // Not every browser lets the keyboard reach a box that scrolls.
   function reach() {
-    document.querySelectorAll(".exhibit-body, .table-wrap, pre, math").forEach(function (box) {
+    document.querySelectorAll(".exhibit-body, .table-wrap, pre, math, .long-formula").forEach(function (box) {
       if (box.scrollWidth > box.clientWidth + 1) box.setAttribute("tabindex", "0");
       else box.removeAttribute("tabindex");
     });

@@ -186,3 +186,11 @@ fn one_button_opens_what_is_folded_and_stands_before_the_first_exercise() {
     let without = page("everything", "experiments.html");
     assert!(!without.contains("fold-all"), "nothing is folded there");
 }
+
+#[test]
+fn long_formulas_in_a_line_are_marked_so_that_they_scroll() {
+    let html = page("everything", "prose.html");
+    assert_eq!(html.matches("class=\"long-formula\"").count(), 1, "one formula of the page is long");
+    assert!(between(&html, "<span class=\"long-formula\">", "</span>").starts_with("<math"));
+    assert!(html.contains("Inline <math"), "a short one is left alone");
+}
