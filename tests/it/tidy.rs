@@ -73,7 +73,7 @@ const SHARED: &[&str] = &[
 ];
 
 /// Folders that are made, not written.
-const MADE: &[&str] = &[".git", "target", "book", ".workbook"];
+const MADE: &[&str] = &[".git", "target", "book", ".workbook", "tests/browser/node_modules"];
 
 /// The most lines of a file that are not empty.
 const LONGEST: usize = 400;
