@@ -7,12 +7,12 @@ export async function walk({ book, open, visit, report }) {
   if (!file) return "skipped";
   const { page } = await open("wide", file);
   let seen = 0;
-  const inside = await page.evaluate(() => [...document.querySelectorAll("details:not([open]) [id]")].map((element) => element.id).slice(0, 4));
+  const inside = await page.evaluate(() => [...document.querySelectorAll("details:not([open]) [id]:not(svg *)")].map((element) => element.id).slice(0, 4));
   for (const id of inside) {
     await visit(page, "about:blank");
     await visit(page, `${book.url(file)}#${encodeURIComponent(id)}`);
-    // Scrolling to a place may take a frame.
-    await page.waitForTimeout(150);
+    // Scrolling to a place may glide, and a place near the end of a page may stand below its middle.
+    await page.waitForFunction((id) => { const box = document.getElementById(id).getBoundingClientRect(); return box.bottom > 0 && box.top < innerHeight; }, id, { timeout: 2000 }).catch(() => {});
     const { shown, box, room } = await page.evaluate((id) => ({ shown: document.getElementById(id).checkVisibility(), box: document.getElementById(id).getBoundingClientRect().toJSON(), room: innerHeight }), id);
     seen += 1;
     if (!shown) report(file, `the link #${id} does not open the fold that holds it`);

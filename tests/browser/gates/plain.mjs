@@ -12,7 +12,7 @@ export async function look({ page, report }) {
     const steps = ".step-captions > p:not(.step-final), .step-controls, .step-controls *";
     let seen = 0;
     for (const element of document.querySelectorAll("main :is(p, li, h1, h2, h3, h4, pre, td, th, dt, dd, figcaption, math, figure svg, img)")) {
-      if (element.matches(steps) || (!element.textContent.trim() && !element.matches("svg, img"))) continue;
+      if (element.closest(steps) || (!element.textContent.trim() && !element.matches("svg, img"))) continue;
       if (element.closest("math") && element.localName !== "math") continue;
       seen += 1;
       if (!shown(element)) told.push(`cannot be seen: ${name(element)}`);

@@ -16,7 +16,7 @@ export async function walk({ book, open, report }) {
       link.dataset.gate = at;
       const here = link.pathname === location.pathname;
       const target = here && document.getElementById(decodeURIComponent(link.hash.slice(1)));
-      if (here && (!target || Math.abs(target.getBoundingClientRect().top - link.getBoundingClientRect().top) < 2500)) return;
+      if (here && (!target || Math.abs(target.getBoundingClientRect().top - link.getBoundingClientRect().top) < 1200)) return;
       found[`${link.className} ${here ? "here" : "elsewhere"}`] ??= at;
     });
     return Object.entries(found);

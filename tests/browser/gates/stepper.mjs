@@ -12,6 +12,8 @@ export async function walk({ book, each, open, visit, report }) {
     const last = figures[figures.length - 1];
     await visit(page, "about:blank");
     await visit(page, `${book.url(file)}#${last}:step=2`);
+    // The way there may glide.
+    await page.waitForFunction((id) => { const box = document.getElementById(id).getBoundingClientRect(); return box.bottom > 0 && box.top < innerHeight; }, last, { timeout: 3000 }).catch(() => {});
     const linked = await state(page, last);
     if (linked.step !== 2) report(file, `the link #${last}:step=2 leads to step ${linked.step}`);
     if (!linked.inView) report(file, `the link #${last}:step=2 does not lead to its figure`);
