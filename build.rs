@@ -1,7 +1,7 @@
 //! Embeds the sources of the library in the library, so that a listing shows, and a key hashes, the very text that was compiled.
 //!
 //! Writes to `OUT_DIR`: `sources.rs`, a sorted table of every file below `src/`; `digests.rs`, the digests of these and of `Cargo.lock` for
-//! the keys of results, which a run would take longer to compute than all else that it repeats; and `templates.rs`, a sorted table
+//! the keys of results, which a run would take longer to compute than all else that it repeats, and that of the whole program; and `templates.rs`, a sorted table
 //! of the templates and assets that every course has unless it brings its own.
 
 use std::fmt::Write as _;
@@ -24,6 +24,8 @@ fn main() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src");
     println!("cargo:rerun-if-changed=templates");
     println!("cargo:rerun-if-changed=Cargo.lock");
+    println!("cargo:rerun-if-changed=Cargo.toml");
+    println!("cargo:rerun-if-changed=build.rs");
     let out = env::var_os("OUT_DIR").map(PathBuf::from).ok_or_else(|| io::Error::other("OUT_DIR is not set"))?;
     fs::write(out.join("sources.rs"), table("src", "FILES")?)?;
     #[cfg(feature = "publish")]
@@ -66,7 +68,30 @@ fn digests() -> io::Result<String> {
         let _ = writeln!(text, "        ({file:?}, {code}),");
     }
     text.push_str("    ]),\n};\n");
+    let _ = writeln!(
+        text,
+        "/// The digest of everything that the program is made of.\npub static PROGRAM: Digest = {};",
+        digest(&program()?)
+    );
     Ok(text)
+}
+
+/// The digest of every source, template and locked dependency.
+#[cfg(feature = "publish")]
+fn program() -> io::Result<sources::digest::Digest> {
+    let mut files = vec!["Cargo.toml".to_owned(), "Cargo.lock".to_owned(), "build.rs".to_owned()];
+    for folder in ["src", "templates"] {
+        let mut found = Vec::new();
+        collect(Path::new(folder), Path::new(folder), &mut found)?;
+        files.extend(found.into_iter().map(|file| format!("{folder}/{file}")));
+    }
+    files.sort();
+    let mut parts = Vec::new();
+    for file in files.into_iter().filter(|file| Path::new(file).is_file()) {
+        let bytes = fs::read(&file)?;
+        parts.extend([file.into_bytes(), bytes]);
+    }
+    Ok(sources::digest::Digest::of_parts(parts.iter().map(Vec::as_slice)))
 }
 
 /// The Rust text of a sorted table `name` of every file below `folder`, by its path there.

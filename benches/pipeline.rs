@@ -203,7 +203,7 @@ fn edit_prose(root: &Path) {
 
 fn request(root: &Path) -> Request {
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    Request { root: root.to_owned(), threads, cached: false }
+    Request { root: root.to_owned(), threads, cached: false, audience: None }
 }
 
 /// The book of the course at `root`.

@@ -1,18 +1,19 @@
 //! The map: from a course's folder to a book, stage by stage.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::diag::{Diagnostic, any_error};
 use crate::exhibits::{Keyed, Shown};
-use crate::parse::Course;
+use crate::parse::{Audience, Course};
 use crate::plan::{Exhibit, Plan};
 use crate::render::Book;
 use crate::run::{Cache, Job, Observer, Ran};
-use crate::workspace::Workspace;
-use crate::{exhibits, generate, parse, plan, render, run, verify, workspace};
+use crate::sources::Digest;
+use crate::workspace::{History, Workspace};
+use crate::{exhibits, generate, parse, plan, receipt, render, run, verify, workspace};
 
 /// What a book is made from.
 #[derive(Debug, Clone)]
@@ -23,6 +24,8 @@ pub struct Request {
     pub threads: usize,
     /// Whether results may come from the cache.
     pub cached: bool,
+    /// For whom the book is; the course says it if this does not.
+    pub audience: Option<Audience>,
 }
 
 impl Request {
@@ -45,6 +48,12 @@ pub struct Composed {
     pub course: Course,
     /// All that was due.
     pub plan: Plan,
+    /// The digest of the course's files.
+    pub course_digest: Digest,
+    /// For whom the book is.
+    pub audience: Audience,
+    /// The exhibits of the course that this audience does not get.
+    pub withheld: BTreeSet<String>,
     /// The exhibits, in the plan's order; empty if any of them could not be had.
     pub shown: Vec<Shown>,
     /// The site; empty if anything is wrong.
@@ -72,6 +81,12 @@ pub struct Planned {
     pub course: Course,
     /// All that is due.
     pub plan: Plan,
+    /// The digest of the course's files.
+    pub course_digest: Digest,
+    /// For whom it is.
+    pub audience: Audience,
+    /// The exhibits of the course that this audience does not get.
+    pub withheld: BTreeSet<String>,
     /// Every complaint.
     pub diagnostics: Vec<Diagnostic>,
     /// How long each stage took.
@@ -82,6 +97,7 @@ pub struct Planned {
 pub fn check(request: &Request) -> Planned {
     let mut clock = Clock::default();
     let (mut workspace, mut diagnostics) = clock.time("read", || workspace::load(&request.root));
+    let course_digest = receipt::course(&workspace);
     let (configuration, complaints) = parse::configuration(&workspace);
     diagnostics.extend(complaints);
     let generated = clock.time("generate", || generate::chapters(&configuration));
@@ -90,15 +106,48 @@ pub fn check(request: &Request) -> Planned {
     diagnostics.extend(complaints);
     let (plan, complaints) = clock.time("plan", || plan::plan(&course, &workspace));
     diagnostics.extend(complaints);
-    generate::explain(&mut diagnostics);
-    Planned { workspace, course, plan, diagnostics, timings: clock.times }
+    let audience = request.audience.unwrap_or(course.configuration.audience);
+    let (history, complaints) = history(request, &course);
+    workspace.history = history;
+    diagnostics.extend(complaints);
+    let withheld = BTreeSet::new();
+    let mut planned =
+        Planned { workspace, course, plan, course_digest, audience, withheld, diagnostics, timings: clock.times };
+    if audience == Audience::Student {
+        planned = for_students(planned);
+    }
+    generate::explain(&mut planned.diagnostics);
+    planned
+}
+
+/// What git says, if the course wants to know.
+fn history(request: &Request, course: &Course) -> (History, Vec<Diagnostic>) {
+    let repository = &course.configuration.site.repository;
+    workspace::history::ask(&request.root, repository.asks_for_commit(), repository.last_change)
+}
+
+/// The same without solutions. The whole has been planned before, so that its numbers stay, and its mistakes are told.
+fn for_students(whole: Planned) -> Planned {
+    let Planned { mut workspace, course, plan, course_digest, audience, mut diagnostics, timings, .. } = whole;
+    let mut clock = Clock { times: timings };
+    let (students, part) = clock.time("audience", || {
+        let (students, orphans) = parse::without_solutions(&course);
+        parse::without_files_of_solutions(&mut workspace, &course, &students);
+        let (part, complaints) = plan::for_students(&students, &workspace, &plan, &diagnostics);
+        diagnostics.extend(orphans.into_iter().chain(complaints));
+        (students, part)
+    });
+    let withheld = plan.exhibits.iter().map(|exhibit| &exhibit.id).filter(|id| part.exhibit(id).is_none());
+    let withheld = withheld.cloned().collect();
+    let (course, plan, timings) = (students, part, clock.times);
+    Planned { workspace, course, plan, course_digest, audience, withheld, diagnostics, timings }
 }
 
 /// Makes the book of a course, all but writing it.
 ///
 /// Experiments that are right run even if others are wrong, so that false claims are told in the same run as slips of the pen.
 pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
-    let Planned { workspace, course, plan, mut diagnostics, timings } = check(request);
+    let Planned { workspace, course, plan, course_digest, audience, withheld, mut diagnostics, timings } = check(request);
     let mut clock = Clock { times: timings };
     let ran = clock.time("run", || run::run(jobs(&plan), request.cache().as_ref(), request.threads, observer));
     diagnostics.extend(run::unsaved(&ran));
@@ -111,6 +160,9 @@ pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
         workspace,
         course,
         plan,
+        course_digest,
+        audience,
+        withheld,
         shown: Vec::new(),
         book: Book::default(),
         ran,
@@ -126,7 +178,7 @@ pub fn compose(request: &Request, observer: &dyn Observer) -> Composed {
         let (book, complaints) = clock
             .time("render", || render::render(&composed.course, &composed.plan, &composed.shown, &composed.workspace));
         composed.diagnostics.extend(complaints);
-        composed.diagnostics.extend(clock.time("verify", || verify::site::check(&book)));
+        composed.diagnostics.extend(clock.time("verify", || verify::book(&book, &composed.course)));
         composed.book = book;
     }
     generate::explain(&mut composed.diagnostics);

@@ -5,8 +5,10 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 /// How bad it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Severity {
     /// Worth knowing; the book is built.
     Warning,
@@ -15,16 +17,32 @@ pub enum Severity {
 }
 
 /// A place in a file of the course.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Place {
     /// The file, from the course's root, with `/` between folders.
+    #[serde(with = "shared_text")]
     pub file: Arc<str>,
     /// The bytes in that file.
     pub range: Range<usize>,
 }
 
+/// A shared text is written as the text that it is.
+mod shared_text {
+    use std::sync::Arc;
+
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(text: &Arc<str>, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(text)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Arc<str>, D::Error> {
+        String::deserialize(deserializer).map(Arc::from)
+    }
+}
+
 /// One mistake, with its place and what to do.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Diagnostic {
     /// Which kind of mistake.
     pub code: Code,
@@ -97,7 +115,7 @@ pub fn any_error(diagnostics: &[Diagnostic]) -> bool {
 macro_rules! codes {
     ($($(#[doc = $doc:literal])+ $name:ident = $id:literal;)+) => {
         /// The kinds of mistake. A code's number never changes its meaning.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
         pub enum Code { $($(#[doc = $doc])+ $name,)+ }
 
         impl Code {
@@ -139,6 +157,8 @@ codes! {
     Bibliography = "W0007";
     /// A template is broken.
     Template = "W0008";
+    /// Git was asked, and could not tell.
+    History = "W0011";
     // What authors write.
     /// TOML that cannot be read.
     Toml = "W0101";
@@ -184,6 +204,8 @@ codes! {
     TypedNumber = "W0121";
     /// An entry of `[given]` that nothing uses.
     UnusedGiven = "W0122";
+    /// A reference to what students do not get.
+    Withheld = "W0123";
     // What was computed.
     /// An experiment that failed.
     Failed = "W0201";
@@ -200,4 +222,8 @@ codes! {
     BrokenLink = "W0301";
     /// An id that stands twice on a page.
     RepeatedId = "W0302";
+    /// A page that asks another host for something.
+    ForeignRequest = "W0303";
+    /// A page, a file or a site that is heavier than its budget.
+    Heavy = "W0304";
 }

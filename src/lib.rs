@@ -57,6 +57,8 @@ pub mod plan;
 #[cfg(feature = "publish")]
 pub mod raster;
 #[cfg(feature = "publish")]
+pub mod receipt;
+#[cfg(feature = "publish")]
 pub mod render;
 #[cfg(feature = "publish")]
 pub mod run;

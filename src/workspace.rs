@@ -1,5 +1,7 @@
 //! The workspace: every input of a course, read once and sorted. The only reader of the course's files.
 
+pub mod history;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -9,6 +11,8 @@ use std::{
 };
 
 use crate::diag::{Code, Diagnostic};
+
+pub use history::History;
 
 /// The folder of a course that holds its chapters, configuration, bibliography and pictures.
 pub const CHAPTERS: &str = "chapters";
@@ -35,12 +39,14 @@ pub struct Workspace {
     pub texts: BTreeMap<Arc<str>, Source>,
     /// Everything else under the chapters' folder (pictures, data), by path from the root.
     pub blobs: BTreeMap<Arc<str>, Arc<[u8]>>,
+    /// What git says of the course, if that was asked.
+    pub history: History,
 }
 
 impl Workspace {
     /// A workspace of one text, for the excerpts of what is said of it.
     pub fn of(source: Source) -> Self {
-        Self { texts: BTreeMap::from([(Arc::clone(&source.path), source)]), blobs: BTreeMap::new() }
+        Self { texts: BTreeMap::from([(Arc::clone(&source.path), source)]), ..Self::default() }
     }
 
     /// The text at `path` from the course's root.

@@ -1,5 +1,6 @@
 //! The writer: the book's folder is replaced whole or not at all.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -50,6 +51,16 @@ pub fn write(book: &Book, out: &Path) -> Result<Outcome, Diagnostic> {
     exchange(&staging.path, out).map_err(failed)?;
     keep_newer_lock(&staging.path, out, lock.as_deref()).map_err(failed)?;
     Ok(Outcome::Written)
+}
+
+/// The same for students, who must not get the lock: it has the values of solutions. A folder that holds one is refused.
+pub fn without_lock(book: &Book, out: &Path) -> Result<Outcome, Diagnostic> {
+    if out.join(LOCK_NAME).exists() {
+        let message = format!("`{}` holds the lock, which has the values of solutions", out.display());
+        let error = Diagnostic::error(Code::NotABook, message);
+        return Err(error.help("name another folder for the students' book with `--out DIR`"));
+    }
+    write(book, out)
 }
 
 /// The committed lock's path in a course.
@@ -160,27 +171,34 @@ fn is_book_or_free(out: &Path) -> bool {
 
 /// Whether `out` holds exactly the files of `book`, besides the lock.
 fn holds(out: &Path, book: &Book) -> bool {
-    let mut count = 0;
+    let same = |(name, path): (&String, &PathBuf)| {
+        book.files.get(name).is_some_and(|bytes| fs::read(path).is_ok_and(|old| old == *bytes))
+    };
+    paths(out).is_some_and(|paths| paths.len() == book.files.len() && paths.iter().all(same))
+}
+
+/// What the folder `out` holds besides the lock, by its path there; none if it cannot be read.
+pub fn contents(out: &Path) -> Option<BTreeMap<String, Vec<u8>>> {
+    paths(out)?.into_iter().map(|(name, path)| Some((name, fs::read(path).ok()?))).collect()
+}
+
+/// The files below `out` besides the lock, by their paths there with `/` between folders; none if it cannot be read.
+fn paths(out: &Path) -> Option<BTreeMap<String, PathBuf>> {
+    let mut files = BTreeMap::new();
     let mut folders = vec![out.to_path_buf()];
     while let Some(folder) = folders.pop() {
-        let Ok(entries) = fs::read_dir(&folder) else { return false };
-        for entry in entries.flatten() {
+        for entry in fs::read_dir(&folder).ok()? {
+            let entry = entry.ok()?;
             let path = entry.path();
-            if path.is_dir() {
+            if entry.file_type().ok()?.is_dir() {
                 folders.push(path);
                 continue;
             }
-            let Some(name) = path.strip_prefix(out).ok().and_then(Path::to_str) else { return false };
-            if name == LOCK_NAME {
-                continue;
+            let name = path.strip_prefix(out).ok()?.to_str()?.replace(std::path::MAIN_SEPARATOR, "/");
+            if name != LOCK_NAME {
+                files.insert(name, path);
             }
-            let name = name.replace(std::path::MAIN_SEPARATOR, "/");
-            let same = book.files.get(&name).is_some_and(|bytes| fs::read(&path).is_ok_and(|old| old == *bytes));
-            if !same {
-                return false;
-            }
-            count += 1;
         }
     }
-    count == book.files.len()
+    Some(files)
 }

@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::{Exit, Options, report};
 use crate::compose::{cache, check, jobs};
+use crate::receipt::Receipt;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -27,6 +28,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
         let live: BTreeSet<_> = jobs(&planned.plan).iter().map(|job| job.key.digest()).collect();
         cache.remove(&cache.stale(&live))
     } else {
+        Receipt::forget(&options.root);
         cache.clean()
     };
     match removed {

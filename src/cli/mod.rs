@@ -22,6 +22,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::compose::Request;
 use crate::diag::{Code, Diagnostic, Severity};
+use crate::parse::Audience;
 
 /// A literate course workbook: every figure computed, every claim verified.
 #[derive(Parser)]
@@ -39,7 +40,7 @@ struct Options {
     /// The course's folder
     #[arg(long, global = true, value_name = "DIR", default_value = ".")]
     root: PathBuf,
-    /// The folder to write the book to [default: book, in the course's folder]
+    /// The folder to write the book to [default: book, for students book-student, in the course's folder]
     #[arg(long, global = true, value_name = "DIR")]
     out: Option<PathBuf>,
     /// How many threads run experiments [default: all processors]
@@ -88,9 +89,9 @@ fn among(formats: &[Format]) -> impl TypedValueParser<Value = Format> + use<> {
 #[derive(Subcommand)]
 enum Command {
     /// Make the book
-    Build,
+    Build(Readers),
     /// Tell every mistake that can be known without running
-    Check,
+    Check(Readers),
     /// Compute everything anew and compare it with the lock
     Verify,
     /// Record reviewed exhibits in the lock: those named, or all
@@ -107,6 +108,14 @@ enum Command {
     Measure(measure::Arguments),
     /// Remove cached results
     Clean(clean::Arguments),
+}
+
+/// For whom a book is made.
+#[derive(Args)]
+struct Readers {
+    /// For whom the book is: students get it without solutions [default: as the course says, or else instructor]
+    #[arg(long, value_name = "AUDIENCE", value_parser = PossibleValuesParser::new(Audience::words()).map(|word| Audience::named(&word).unwrap_or_default()))]
+    audience: Option<Audience>,
 }
 
 /// How a command ended.
@@ -126,8 +135,8 @@ enum Exit {
 pub fn run() -> ExitCode {
     let cli = Cli::parse();
     let exit = match cli.command {
-        Command::Build => build::run(&cli.options),
-        Command::Check => check::run(&cli.options),
+        Command::Build(readers) => build::run(&readers, &cli.options),
+        Command::Check(readers) => check::run(&readers, &cli.options),
         Command::Verify => verify::run(&cli.options),
         Command::Accept(arguments) => accept::run(&arguments, &cli.options),
         Command::Run(arguments) => run_one::run(&arguments, &cli.options),
@@ -144,12 +153,19 @@ impl Options {
     /// What a book is made from.
     fn request(&self) -> Request {
         let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        Request { root: self.root.clone(), threads: self.jobs.map_or(processors, usize::from), cached: !self.no_cache }
+        Request {
+            root: self.root.clone(),
+            threads: self.jobs.map_or(processors, usize::from),
+            cached: !self.no_cache,
+            // The lock, and whatever is asked of single exhibits, are of the whole course.
+            audience: Some(Audience::Instructor),
+        }
     }
 
-    /// Where the book goes.
-    fn out(&self) -> PathBuf {
-        self.out.clone().unwrap_or_else(|| self.root.join("book"))
+    /// Where the book for this audience goes.
+    fn out(&self, audience: Audience) -> PathBuf {
+        let name = if audience == Audience::Student { "book-student" } else { "book" };
+        self.out.clone().unwrap_or_else(|| self.root.join(name))
     }
 }
 

@@ -12,7 +12,7 @@ use crate::seed::Seed;
 
 /// The samplers that are measured: of each kind one.
 const SAMPLERS: &[&str] =
-    &["independent", "jittered", "latin-hypercube", "best-candidate", "halton", "sobol", "sobol+owen"];
+    &["independent", "jittered", "latin-hypercube", "dart-throwing", "halton", "sobol", "sobol+owen"];
 /// Over how many sets those are averaged that are random.
 const SETS: usize = 16;
 

@@ -169,11 +169,12 @@ fn evenness(subject: &Subject, shelves: &[Shelf], page: &mut Page<'_>) {
     let measures = measures(subject.d);
     let named = measures.iter().filter_map(|key| Some(member(Shelf::Measures, about(key)?, shelves)));
     page.block(&format!("Measured: {}.", named.collect::<Vec<_>>().join(", ")));
-    let sets = if subject.method.is_random() { format!(": means over {} sets", SETS / 4) } else { String::new() };
+    let count = if subject.is_slow() { 4 } else { 16 };
+    let sets = if subject.method.is_random() { format!(": means over {count} sets") } else { String::new() };
     let caption = format!("How even the sets are {}{sets}.", subject.in_words());
     let fence = Fence::new("measures", &subject.id("tbl", "measures")).words("samplers", &[subject.key]);
     let fence = fence.numbers("n", &subject.counts).with("dimensions", subject.d).words("measures", measures);
-    let fence = fence.with("strata", false).with("replicates", SETS / 4).caption(&caption);
+    let fence = fence.with("strata", false).with("replicates", count).caption(&caption);
     page.experiment(fence.claims(claims::measures(subject)));
 }
 
@@ -209,7 +210,8 @@ fn convergence(subject: &Subject, page: &mut Page<'_>) {
 fn picture(subject: &Subject, page: &mut Page<'_>) {
     page.section("A picture", "picture");
     let (key, width, height) = SCENE;
-    let random = subject.method.is_random();
+    // Where points are searched for, a set for every pixel would take too long.
+    let random = subject.method.is_random() && !subject.is_slow();
     let scene: Option<&'static dyn Scene> = crate::catalogue::find(SCENES, key);
     let randomisation = if random { Randomisation::Pixel } else { Randomisation::Shift };
     let fits = |n: &usize| {

@@ -12,7 +12,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::estimation::{Study, check_dimensions, dimensions, mean_with_error, reference};
+use super::estimation::{check_dimensions, dimensions, estimates_of_all, mean_with_error, reference};
 use super::{Failure, Frame, Kind, Problems, Rest, Values};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Drawing, Sheet};
@@ -139,7 +139,10 @@ impl Kind for ConvergenceKind {
     }
 
     fn run(&self, p: &Convergence, seed: Seed) -> Result<Data, Failure> {
-        let mut all = p.integrands.iter().map(|integrand| errors(p, integrand, seed)).collect::<Result<Vec<_>, _>>()?;
+        let asked = (&p.integrands[..], p.dimensions);
+        let all = estimates_of_all(ABOUT.key, asked, &p.samplers, p.n.as_slice(), p.replicates, seed)?;
+        let all = p.integrands.iter().zip(all).map(|(integrand, all)| errors(p, integrand, all));
+        let mut all = all.collect::<Result<Vec<_>, _>>()?;
         let rest = all.split_off(1.min(all.len()));
         let first = all.pop().ok_or_else(|| Failure::of("integrands", "there is no integrand"))?;
         Ok(Data { first, more: Rest(rest) })
@@ -222,12 +225,10 @@ fn panel(p: &Convergence, index: usize) -> String {
 }
 
 /// The errors of every sampler for one integrand.
-fn errors(p: &Convergence, integrand: &Function, seed: Seed) -> Result<Errors, Failure> {
+fn errors(p: &Convergence, integrand: &Function, all: Vec<Vec<Vec<f64>>>) -> Result<Errors, Failure> {
     let d = dimensions(integrand, p.dimensions);
-    let study = Study { kind: ABOUT.key, integrand, d, seed };
     let exact = reference(integrand, d)?;
     let floor = exact.error.max(exact.value.abs() * 1e-15);
-    let all = study.estimates(&p.samplers, p.n.as_slice(), p.replicates)?;
     let curve = |(method, estimates): (&Method, Vec<Vec<f64>>)| {
         let replicates = estimates.first().map_or(0, Vec::len) as u32;
         let marks: Vec<Mark> =

@@ -330,15 +330,13 @@ mod drawing {
             Show::Radial => Chart::new(lines(p, &data.curves).ratio(0.55)),
             Show::Logarithmic => Chart::new(logarithmic(p, data)),
             Show::Anisotropy => Chart::new(anisotropy(data)),
-            Show::Both => Chart::grid(data.curves.iter().flat_map(|curve| both(p, curve)).collect()).columns(2),
+            Show::Both => {
+                let both = |curve| [panel(p, curve), lines(p, std::slice::from_ref(curve)).ratio(1.0)];
+                Chart::grid(data.curves.iter().flat_map(both).collect()).columns(2)
+            }
         };
         let chart = if matches!(p.show, Show::Images | Show::Both) { chart.key(Key::Hidden) } else { chart };
         Ok(chart.draw(sheet)?.into())
-    }
-
-    /// An image, and the radial mean beside it.
-    fn both(p: &Spectrum, curve: &Curve) -> [Panel; 2] {
-        [panel(p, curve), lines(p, std::slice::from_ref(curve)).ratio(1.0)]
     }
 
     /// One image, with the frequency 0 marked in its middle.

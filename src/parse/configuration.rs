@@ -6,8 +6,11 @@ use std::sync::Arc;
 
 use toml::de::DeValue;
 
+use super::audience::Audience;
+use super::budgets::{self, Budgets};
 use super::landing::{self, Passage};
 use super::shelf::{self, Shelf};
+use super::site::{self, Site};
 use super::source_map::SourceMap;
 use super::toml_text;
 use crate::catalogue::nearest;
@@ -38,6 +41,10 @@ parameters! {
         allow_html: bool = false,
         /// What becomes of a number in the text that could be computed.
         typed_numbers: TypedNumbers = "warning",
+        /// For whom the book is made, if the command line does not say.
+        audience: Audience = "instructor",
+        /// Where the site will stand: then pages have canonical links, and the site has a map.
+        base_url: Option<String>,
     }
 }
 
@@ -95,6 +102,12 @@ pub struct Configuration {
     pub allow_html: bool,
     /// How bad a number in the text is that could be computed; nothing if that is allowed.
     pub typed_numbers: Option<Severity>,
+    /// For whom the book is made, if nothing else is said.
+    pub audience: Audience,
+    /// Where the site will stand, what has moved in it, and where its sources are.
+    pub site: Site,
+    /// How heavy it may be.
+    pub budgets: Budgets,
     /// The seed of every experiment that does not give its own.
     pub seed: u64,
     /// What the landing page says of the course.
@@ -116,7 +129,9 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
     let mut fields = Fields::plain(table.get_ref());
     let head = Head::read(&mut fields);
     let mut configuration = Configuration { seed: 1, ..Configuration::default() };
+    let mut base_url = None;
     if let Some(head) = head {
+        base_url = head.base_url;
         configuration = Configuration {
             title: head.title,
             subtitle: head.subtitle.unwrap_or_default(),
@@ -128,6 +143,7 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
             bibliography: head.bibliography.map(|file| format!("{CHAPTERS}/{file}")),
             allow_html: head.allow_html,
             typed_numbers: head.typed_numbers.severity(),
+            audience: head.audience,
             ..configuration
         };
     }
@@ -135,9 +151,11 @@ pub(super) fn read(workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) -> 
         configuration.seed = seed;
     }
     configuration.macros = read_macros(&mut fields);
+    configuration.site = site::read(base_url, &mut fields);
+    configuration.budgets = budgets::read(&mut fields);
     configuration.landing = landing::read(&mut fields, source, workspace, diagnostics);
     shelf::read(&mut fields, &mut configuration);
-    let tables = ["catalogue", "defaults", "landing", "math"];
+    let tables = ["budgets", "catalogue", "defaults", "landing", "math", "redirects", "repository"];
     let known: Vec<&str> = Head::docs().iter().map(|doc| doc.name).chain(tables).collect();
     fields.finish(&known);
     diagnostics.extend(fields.complaints.into_iter().map(|complaint| located(complaint, source)));

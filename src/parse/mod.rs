@@ -3,8 +3,11 @@
 //! Markdown goes through `pulldown-cmark` and stays at the level of its events: no text is changed before it is parsed,
 //! so that every place is true to the file.
 
+mod audience;
+mod budgets;
 mod callout;
 mod configuration;
+mod emphasis;
 mod events;
 mod fence;
 mod front_matter;
@@ -13,6 +16,7 @@ mod inline;
 mod landing;
 mod node;
 mod shelf;
+mod site;
 mod source_map;
 mod term;
 mod toml_text;
@@ -23,7 +27,10 @@ use std::sync::Arc;
 use crate::diag::{Code, Diagnostic};
 use crate::workspace::{self, Workspace};
 
+pub use audience::{Audience, without_files_of_solutions, without_solutions};
+pub use budgets::Budgets;
 pub use configuration::Configuration;
+pub use emphasis::{Emphasis, HELP, fence};
 pub use events::{inline as caption, parser_options};
 pub use fence::Fence;
 pub use front_matter::{Chosen, FrontMatter};
@@ -31,6 +38,7 @@ pub use given::Given;
 pub use landing::Passage;
 pub use node::{Callout, CalloutKind, Cited, Computed, Formula, Label, Node, Term, ValueUse, What};
 pub use shelf::{Generated, Shelf};
+pub use site::{Commit, Redirect, Repository, Site};
 pub use source_map::SourceMap;
 pub use toml_text::table;
 
@@ -130,11 +138,12 @@ pub fn course(
         slug: page.name().to_owned(),
         ..chapter(&page.source, &configuration, workspace, &mut diagnostics)
     }));
+    site::check_redirects(&configuration.site, &chapters, workspace, &mut diagnostics);
     (Course { configuration, chapters }, diagnostics)
 }
 
 /// The pages that the book makes of itself: no chapter can have their names.
-pub const OWN_PAGES: [&str; 6] = ["index", "exhibits", "terms", "kinds", "bibliography", "made"];
+pub const OWN_PAGES: [&str; 7] = ["index", "exhibits", "terms", "kinds", "bibliography", "made", "404"];
 
 /// Complains of chapters whose pages would take each other's place, or that of a page of the book.
 fn check_slugs(chapters: &[Chapter], generated: &[Generated], diagnostics: &mut Vec<Diagnostic>) {

@@ -123,6 +123,27 @@ impl Labels {
         self.anchors.get(&(chapter, node))
     }
 
+    /// Gives everything the id and the number that it has in `whole`, which is of the same chapters with the same places of nodes.
+    pub(super) fn numbered_as_in(&mut self, whole: &Self) {
+        for (id, target) in &mut self.targets {
+            if let Some(known) = whole.targets.get(id) {
+                target.number.clone_from(&known.number);
+            }
+        }
+        for (node, anchor) in &mut self.anchors {
+            if let Some(known) = whole.anchors.get(node) {
+                anchor.clone_from(known);
+            }
+        }
+        for (sections, whole) in self.sections.iter_mut().zip(&whole.sections) {
+            for section in sections {
+                if let Some(known) = whole.iter().find(|known| known.title == section.title) {
+                    section.clone_from(known);
+                }
+            }
+        }
+    }
+
     /// The headings of a chapter in order.
     pub fn sections(&self, chapter: usize) -> &[Section] {
         self.sections.get(chapter).map(Vec::as_slice).unwrap_or_default()

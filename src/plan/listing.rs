@@ -7,7 +7,7 @@ use super::{Reading, Seen};
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic, Place};
 use crate::parameters::{Complaint, Fields, Parameters, parameters};
-use crate::parse::{self, Fence, Node};
+use crate::parse::{self, Emphasis, Fence, HELP, Node};
 use crate::sources;
 use crate::workspace::CHAPTERS;
 
@@ -22,6 +22,8 @@ parameters! {
         item: Option<String>,
         /// A file of the course to show instead, from the chapters' folder; it is shown, not run.
         file: Option<String>,
+        /// The lines to be looked at first, from 1: `3,5-7`.
+        emphasis: Option<String>,
     }
 }
 
@@ -42,6 +44,8 @@ pub struct Listing {
     pub language: String,
     /// Where it stands, e.g. `src/samplers/halton.rs:41`.
     pub source: String,
+    /// The lines that stand out.
+    pub emphasis: Emphasis,
 }
 
 /// Reads every listing fence of a chapter; gives for each the index of its listing, unless it is wrong.
@@ -67,8 +71,11 @@ fn read(fence: &Fence, reading: &Reading<'_>, seen: &mut Seen, diagnostics: &mut
     let mut fields = Fields::plain(table.get_ref());
     let written = Written::read(&mut fields);
     let caption = Quoted::read(&mut fields, "caption");
-    fields.finish(&["id", "caption", "item", "file"]);
+    fields.finish(&["id", "caption", "item", "file", "emphasis"]);
     let code = written.as_ref().and_then(|written| find_code(written, reading, &mut fields));
+    let text = code.as_ref().map(|(text, ..)| text.as_str());
+    let emphasis = written.as_ref().and_then(|written| written.emphasis.as_deref()).unwrap_or_default();
+    let emphasis = read_emphasis(emphasis, text, &mut fields);
     if let Some(complaint) = written.as_ref().and_then(|written| bad_id(&written.id, &["lst"], fields.place("id"))) {
         fields.complaints.push(complaint);
     }
@@ -84,7 +91,33 @@ fn read(fence: &Fence, reading: &Reading<'_>, seen: &mut Seen, diagnostics: &mut
         return None;
     }
     let (code, language, source) = code?;
-    Some(Listing { id: written?.id, chapter: reading.index, place, caption: caption?, code, language, source })
+    Some(Listing {
+        id: written?.id,
+        chapter: reading.index,
+        place,
+        caption: caption?,
+        code,
+        language,
+        source,
+        emphasis,
+    })
+}
+
+/// The lines of the code that stand out; none where nothing is `written`.
+fn read_emphasis(written: &str, code: Option<&str>, fields: &mut Fields<'_>) -> Emphasis {
+    if written.is_empty() {
+        return Emphasis::default();
+    }
+    let (emphasis, told) = match Emphasis::read(written) {
+        Ok(read) => {
+            let told = code.and_then(|code| read.beyond(code.lines().count()));
+            (read, told.map(|message| (Code::OutOfRange, message)))
+        }
+        Err(part) => (Emphasis::default(), Some((Code::WrongType, format!("`{part}` is no line of code")))),
+    };
+    let place = fields.place("emphasis");
+    fields.complaints.extend(told.map(|(code, message)| Complaint::new(code, place, message).help(HELP)));
+    emphasis
 }
 
 /// The code that a listing names, with its language and where it stands.

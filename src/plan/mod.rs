@@ -2,9 +2,11 @@
 //! nothing is told. Later stages cannot see the raw form.
 
 mod amount;
+mod audience;
 mod bibliography;
 mod changed;
 mod claim;
+mod emphasis;
 mod exhibit;
 mod format;
 mod formula;
@@ -27,6 +29,7 @@ use crate::parse::{Chapter, Course, Node};
 use crate::workspace::Workspace;
 
 pub use amount::{Amount, Settled};
+pub use audience::for_students;
 pub use bibliography::Bibliography;
 pub use changed::{Change, Changed};
 pub use claim::{Bound, Claim, Literal};
@@ -81,6 +84,13 @@ pub struct Exhibit {
 
 /// Plans the book. Every complaint is collected; exhibits that are wrong are left out of the plan.
 pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
+    let (plan, mut diagnostics) = planned(course, None, workspace);
+    typed::check(course, &plan, workspace, &mut diagnostics);
+    (plan, diagnostics)
+}
+
+/// The plan of a course, with the numbers that `whole` has if it is a part of one.
+fn planned(course: &Course, whole: Option<&Labels>, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
     let bibliography = bibliography::read(course, workspace, &mut diagnostics);
     let mut plan = Plan {
@@ -99,10 +109,13 @@ pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
         plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut plan.seen, &mut diagnostics));
     }
     plan.labels = labels::number(course, &plan, &mut diagnostics);
+    if let Some(whole) = whole {
+        plan.labels.numbered_as_in(whole);
+    }
     plan.terms = terms::find(course, &plan, workspace, &mut diagnostics);
     references::check(course, &plan, &mut diagnostics);
+    emphasis::check(course, workspace, &mut diagnostics);
     slides::check(course, &mut diagnostics);
-    typed::check(course, &plan, workspace, &mut diagnostics);
     (plan, diagnostics)
 }
 

@@ -42,12 +42,12 @@ impl Walk<'_> {
                 }
             }
             What::Markdown(Event::Start(tag)) => {
-                self.depth += usize::from(holds(&tag.to_end()));
+                self.depth += usize::from(holds(tag.to_end()));
                 if matches!(tag, Tag::Heading { .. }) {
                     self.refuse("a heading", &node.range);
                 }
             }
-            What::Markdown(Event::End(tag)) => self.depth = self.depth.saturating_sub(usize::from(holds(tag))),
+            What::Markdown(Event::End(tag)) => self.depth = self.depth.saturating_sub(usize::from(holds(*tag))),
             What::Experiment(_) => self.refuse("an exhibit", &node.range),
             What::Listing(_) => self.refuse("a listing", &node.range),
             What::Equation { label: Some(_), .. } => self.refuse("a numbered equation", &node.range),
@@ -96,6 +96,6 @@ impl Walk<'_> {
 }
 
 /// Whether marks must not stand within this.
-fn holds(tag: &TagEnd) -> bool {
+fn holds(tag: TagEnd) -> bool {
     matches!(tag, TagEnd::BlockQuote(_) | TagEnd::List(_) | TagEnd::FootnoteDefinition)
 }

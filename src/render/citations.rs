@@ -20,6 +20,8 @@ const LOCALE: &str = "citations-locale.xml";
 pub(super) struct Citations {
     /// For each cited work, what stands in the text.
     marks: BTreeMap<String, String>,
+    /// The works as they are listed, by the ids that they have there.
+    entries: BTreeMap<String, String>,
     list: String,
 }
 
@@ -58,12 +60,16 @@ impl Citations {
         };
         let marks = entries.iter().zip(&rendered.citations);
         let marks = marks.map(|(entry, mark)| (entry.key().to_owned(), html(&mark.citation))).collect();
+        let mut entries = BTreeMap::new();
         let mut list = String::from("<ol class=\"bibliography\">\n");
         for item in rendered.bibliography.iter().flat_map(|bibliography| &bibliography.items) {
-            let _ = writeln!(list, "<li id=\"ref-{}\">{}</li>", escape(&item.key), html(&item.content));
+            let id = format!("ref-{}", escape(&item.key));
+            let entry = format!("<li id=\"{id}\">{}</li>", html(&item.content));
+            let _ = writeln!(list, "{entry}");
+            entries.insert(id, entry);
         }
         list.push_str("</ol>\n");
-        Self { marks, list }
+        Self { marks, entries, list }
     }
 
     /// A work's mark in the text, linked to the list.
@@ -75,6 +81,11 @@ impl Citations {
             None => format!("{mark}{locator}"),
         };
         format!("<a class=\"citation\" href=\"bibliography.html#ref-{}\">{mark}</a>", escape(&cited.key))
+    }
+
+    /// The work that has this id in the list, as HTML.
+    pub(super) fn entry(&self, id: &str) -> Option<&str> {
+        self.entries.get(id).map(String::as_str)
     }
 
     /// The list of works, as HTML.

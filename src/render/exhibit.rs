@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::markdown::Writer;
-use super::{Rendering, pictures, stepper, table};
+use super::{Rendering, code, pictures, site, stepper, table};
 use crate::chart::{Drawing, Stepper};
 use crate::diag::Diagnostic;
 use crate::exhibits::Verdict;
@@ -73,6 +73,8 @@ struct ListingContext<'a> {
     code: String,
     language: &'a str,
     source: &'a str,
+    /// The page of the code, if the course says where that is.
+    source_page: Option<String>,
 }
 
 /// How many characters of a key a reader sees.
@@ -126,9 +128,10 @@ pub(super) fn listing(rendering: &Rendering<'_>, listing: &Listing) -> (String, 
         id: &listing.id,
         label: label(rendering, &listing.id),
         caption,
-        code: escape(&listing.code),
+        code: code::html(&listing.code, &listing.language, &listing.emphasis, true),
         language: &listing.language,
         source: &listing.source,
+        source_page: site::source_of(rendering, &listing.source),
     };
     let html = rendering.templates.fill("listing.html", &ListingPart { listing: context }, &mut diagnostics);
     (html, diagnostics)

@@ -1,41 +1,36 @@
 //! From nodes to HTML: one function per kind of node.
 
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::ops::Range;
 
 use pulldown_cmark::{Alignment, CodeBlockKind, Event, HeadingLevel, Tag, TagEnd};
 
-use super::Rendering;
+use super::notes::Notes;
+use super::{Rendering, blocks, code};
 use crate::diag::Diagnostic;
 use crate::exhibits;
 use crate::kinds::Measured;
-use crate::parse::{Callout, CalloutKind, Computed, Formula, Label, Node, Term, ValueUse, What};
+use crate::parse::{Computed, Formula, Label, Node, Term, ValueUse, What};
 use crate::plan::{Format, escape, links, terms};
 
 /// The character that forbids a line's break where it stands.
 const JOINER: char = '\u{2060}';
 
+/// A formula within a line that has more letters and signs than this may be wider than a small screen.
+const LONG: usize = 22;
+
 /// Writes the nodes of one chapter.
 pub(super) struct Writer<'a> {
-    rendering: &'a Rendering<'a>,
-    chapter: usize,
-    out: String,
+    pub(super) rendering: &'a Rendering<'a>,
+    pub(super) chapter: usize,
+    pub(super) out: String,
     /// The node being written, as an index into the chapter; none within captions and titles.
-    at: Option<usize>,
-    footnotes: Footnotes,
+    pub(super) at: Option<usize>,
+    pub(super) notes: Notes,
     table: TableState,
+    /// The block of code being written.
+    code: Option<code::Fence>,
     pub(super) diagnostics: Vec<Diagnostic>,
-}
-
-/// The footnotes of a page in the order of their first reference.
-#[derive(Default)]
-struct Footnotes {
-    order: Vec<String>,
-    texts: BTreeMap<String, String>,
-    /// The page's text while a footnote is being written.
-    outside: Option<(String, String)>,
-    /// How often each footnote has been referred to.
-    references: BTreeMap<String, usize>,
 }
 
 /// Where in a markdown table the writer is.
@@ -46,13 +41,6 @@ struct TableState {
     head: bool,
 }
 
-/// A chapter's HTML.
-pub(super) struct Written {
-    pub(super) body: String,
-    pub(super) footnotes: String,
-    pub(super) diagnostics: Vec<Diagnostic>,
-}
-
 impl<'a> Writer<'a> {
     pub(super) fn new(rendering: &'a Rendering<'a>, chapter: usize) -> Self {
         Self {
@@ -60,8 +48,9 @@ impl<'a> Writer<'a> {
             chapter,
             out: String::new(),
             at: None,
-            footnotes: Footnotes::default(),
+            notes: Notes::default(),
             table: TableState::default(),
+            code: None,
             diagnostics: Vec::new(),
         }
     }
@@ -72,14 +61,42 @@ impl<'a> Writer<'a> {
     }
 
     /// The whole chapter.
-    pub(super) fn chapter(mut self) -> Written {
-        let nodes = &self.rendering.course.chapters[self.chapter].content.nodes;
-        for (at, node) in nodes.iter().enumerate() {
+    pub(super) fn chapter(mut self) -> (String, Vec<Diagnostic>) {
+        let nodes = self.nodes();
+        self.notes = Notes::of(nodes);
+        self.range(0..nodes.len());
+        self.done()
+    }
+
+    /// The nodes of the chapter; none outside of chapters.
+    pub(super) fn nodes(&self) -> &'a [Node] {
+        self.rendering.course.chapters.get(self.chapter).map_or(&[], |chapter| &chapter.content.nodes)
+    }
+
+    /// Writes some nodes of the chapter. What footnotes say is written where they are first referred to.
+    pub(super) fn range(&mut self, range: Range<usize>) {
+        let nodes = self.nodes();
+        let outside = self.at;
+        let mut at = range.start;
+        while at < range.end {
+            let node = &nodes[at];
+            if matches!(&node.what, What::Markdown(Event::Start(Tag::FootnoteDefinition(_)))) {
+                at = blocks::end(nodes, at) + 1;
+                continue;
+            }
             self.at = Some(at);
+            self.notes.enter(node);
             self.node(node, nodes.get(at + 1));
+            let notes = self.notes.leave(node);
+            self.out.push_str(&notes);
+            at += 1;
         }
-        let footnotes = self.footnotes.list();
-        Written { body: self.out, footnotes, diagnostics: self.diagnostics }
+        self.at = outside;
+    }
+
+    /// What has been written, and what there is to complain of.
+    pub(super) fn done(self) -> (String, Vec<Diagnostic>) {
+        (self.out, self.diagnostics)
     }
 
     /// Nodes that stand by themselves, such as a caption or a passage.
@@ -87,7 +104,7 @@ impl<'a> Writer<'a> {
         for (at, node) in nodes.iter().enumerate() {
             self.node(node, nodes.get(at + 1));
         }
-        (self.out, self.diagnostics)
+        self.done()
     }
 
     fn node(&mut self, node: &Node, next: Option<&Node>) {
@@ -106,11 +123,7 @@ impl<'a> Writer<'a> {
             }
             What::Term(term) => self.term(term, next),
             What::CalloutStart(callout) => self.callout(callout),
-            What::CalloutEnd(kind) => self.out.push_str(match kind {
-                kind if kind.folded() => "</details>\n",
-                kind if kind.prefix().is_some() => "</section>\n",
-                _ => "</aside>\n",
-            }),
+            What::CalloutEnd(kind) => self.callout_end(*kind),
         }
     }
 
@@ -118,7 +131,10 @@ impl<'a> Writer<'a> {
         match event {
             Event::Start(tag) => self.start(tag),
             Event::End(tag) => self.end(*tag),
-            Event::Text(text) => self.out.push_str(&escape(text)),
+            Event::Text(text) => match &mut self.code {
+                Some(code) => code.text.push_str(text),
+                None => self.out.push_str(&escape(text)),
+            },
             Event::Code(code) => {
                 let _ = write!(self.out, "<code>{}</code>", escape(code));
             }
@@ -140,14 +156,12 @@ impl<'a> Writer<'a> {
             Tag::Paragraph => self.out.push_str("<p>"),
             Tag::Heading { level, .. } => self.heading(*level),
             Tag::BlockQuote(_) => self.out.push_str("<blockquote>\n"),
-            Tag::CodeBlock(kind) => self.code_block(kind),
+            Tag::CodeBlock(CodeBlockKind::Fenced(info)) => self.code = Some(code::Fence::new(info)),
+            Tag::CodeBlock(CodeBlockKind::Indented) => self.code = Some(code::Fence::new("")),
             Tag::List(None) => self.out.push_str("<ul>\n"),
             Tag::List(Some(1)) => self.out.push_str("<ol>\n"),
             Tag::List(Some(start)) => drop(writeln!(self.out, "<ol start=\"{start}\">")),
             Tag::Item => self.out.push_str("<li>"),
-            Tag::FootnoteDefinition(name) => {
-                self.footnotes.outside = Some((name.to_string(), std::mem::take(&mut self.out)));
-            }
             Tag::Table(alignments) => {
                 self.table = TableState { alignments: alignments.clone(), column: 0, head: false };
                 self.out.push_str("<div class=\"table-wrap\"><table>\n");
@@ -178,11 +192,10 @@ impl<'a> Writer<'a> {
             TagEnd::Paragraph => self.out.push_str("</p>\n"),
             TagEnd::Heading(level) => self.heading_end(level),
             TagEnd::BlockQuote(_) => self.out.push_str("</blockquote>\n"),
-            TagEnd::CodeBlock => self.out.push_str("</code></pre>\n"),
+            TagEnd::CodeBlock => self.out.extend(self.code.take().map(|code| code.html())),
             TagEnd::List(false) => self.out.push_str("</ul>\n"),
             TagEnd::List(true) => self.out.push_str("</ol>\n"),
             TagEnd::Item => self.out.push_str("</li>\n"),
-            TagEnd::FootnoteDefinition => self.footnotes.close(&mut self.out),
             TagEnd::Table => self.out.push_str("</tbody></table></div>\n"),
             TagEnd::TableHead => {
                 self.table.head = false;
@@ -221,18 +234,6 @@ impl<'a> Writer<'a> {
         let _ = writeln!(self.out, "</{level}>");
     }
 
-    fn code_block(&mut self, kind: &CodeBlockKind<'_>) {
-        let language = match kind {
-            CodeBlockKind::Fenced(info) => info.split_whitespace().next().unwrap_or_default(),
-            CodeBlockKind::Indented => "",
-        };
-        if language.is_empty() {
-            self.out.push_str("<pre tabindex=\"0\"><code>");
-        } else {
-            let _ = write!(self.out, "<pre tabindex=\"0\"><code class=\"language-{}\">", escape(language));
-        }
-    }
-
     fn cell(&mut self) {
         let alignment = match self.table.alignments.get(self.table.column) {
             Some(Alignment::Left) => " class=\"left\"",
@@ -255,9 +256,19 @@ impl<'a> Writer<'a> {
         if self.out.ends_with(['(', '[', '“', '‘', '-', '–', '/']) {
             self.out.push(JOINER);
         }
+        let before = self.out.len();
         self.formula(formula, false);
+        if letters(&self.out[before..]) > LONG {
+            // Lines do not break within a formula: on a small screen this one scrolls.
+            self.out.insert_str(before, "<span class=\"long-formula\">");
+            self.out.push_str("</span>");
+        }
         let touches = |text: &str| text.starts_with(|c: char| !c.is_whitespace());
-        if matches!(next, Some(Node { what: What::Markdown(Event::Text(text)), .. }) if touches(text)) {
+        let joined = match next.map(|next| &next.what) {
+            Some(What::Markdown(Event::Text(text))) => touches(text),
+            next => matches!(next, Some(What::Markdown(Event::FootnoteReference(_)))),
+        };
+        if joined {
             self.out.push(JOINER);
         }
     }
@@ -341,89 +352,9 @@ impl<'a> Writer<'a> {
         }
         self.out.push_str(if term.defines { "</dfn>" } else { "</a>" });
     }
-
-    fn callout(&mut self, callout: &Callout) {
-        let kind = callout.kind;
-        let anchor = self
-            .at
-            .and_then(|at| self.rendering.plan.labels.anchor(self.chapter, at))
-            .filter(|_| kind.prefix().is_some());
-        let label =
-            anchor.map_or_else(|| kind.title().to_owned(), |anchor| format!("{} {}", kind.title(), anchor.number));
-        let title = Writer { at: None, ..Writer::new(self.rendering, self.chapter) };
-        let (title, diagnostics) = title.inline(&callout.title);
-        self.diagnostics.extend(diagnostics);
-        let title =
-            if title.is_empty() { String::new() } else { format!(" <span class=\"callout-name\">{title}</span>") };
-        let head = format!("<span class=\"callout-label\">{label}</span>{title}");
-        let class = format!("callout callout-{}", kind.name().to_lowercase());
-        let _ = match (kind, anchor) {
-            (kind, _) if kind.folded() => writeln!(self.out, "<details class=\"{class}\"><summary>{head}</summary>"),
-            (_, Some(anchor)) => writeln!(
-                self.out,
-                "<section class=\"{class}\" id=\"{}\"><p class=\"callout-title\">{head}</p>",
-                anchor.id
-            ),
-            (CalloutKind::Definition | CalloutKind::Exercise, None) => {
-                writeln!(self.out, "<section class=\"{class}\"><p class=\"callout-title\">{head}</p>")
-            }
-            // Slides and their notes are there for the script that presents the page.
-            (kind, _) if kind.is_for_lectures() => {
-                writeln!(self.out, "<aside class=\"{class}\" hidden><p class=\"callout-title\">{head}</p>")
-            }
-            _ => writeln!(self.out, "<aside class=\"{class}\"><p class=\"callout-title\">{head}</p>"),
-        };
-    }
-
-    fn footnote_reference(&mut self, name: &str) {
-        let (number, count) = self.footnotes.refer(name);
-        let suffix = if count > 1 { format!("-{count}") } else { String::new() };
-        let _ = write!(
-            self.out,
-            "<sup class=\"footnote-reference\"><a href=\"#fn-{number}\" id=\"fnref-{number}{suffix}\" aria-label=\"Footnote {number}\">{number}</a></sup>"
-        );
-    }
 }
 
-impl Footnotes {
-    /// The number of the footnote `name`, and how often it has been referred to.
-    fn refer(&mut self, name: &str) -> (usize, usize) {
-        let number = self.order.iter().position(|other| other == name).unwrap_or_else(|| {
-            self.order.push(name.to_owned());
-            self.order.len() - 1
-        });
-        let count = self.references.entry(name.to_owned()).or_default();
-        *count += 1;
-        (number + 1, *count)
-    }
-
-    /// Ends the footnote being written: `out` holds it, and gets the page's text back.
-    fn close(&mut self, out: &mut String) {
-        if let Some((name, page)) = self.outside.take() {
-            let text = std::mem::replace(out, page);
-            self.texts.insert(name, text);
-        }
-    }
-
-    /// The footnotes that were referred to, as a section.
-    fn list(&self) -> String {
-        if self.order.is_empty() {
-            return String::new();
-        }
-        let mut list = String::from("<section class=\"footnotes\" aria-label=\"Footnotes\"><ol>\n");
-        for (index, name) in self.order.iter().enumerate() {
-            let number = index + 1;
-            let back = format!(
-                " <a class=\"footnote-back\" href=\"#fnref-{number}\" aria-label=\"Back to the text\">\u{21a9}\u{fe0e}</a>"
-            );
-            let text = self.texts.get(name).map(String::as_str).unwrap_or_default().trim_end();
-            let text = match text.strip_suffix("</p>") {
-                Some(text) => format!("{text}{back}</p>"),
-                None => format!("{text}{back}"),
-            };
-            let _ = writeln!(list, "<li id=\"fn-{number}\">{text}</li>");
-        }
-        list.push_str("</ol></section>\n");
-        list
-    }
+/// How many characters a formula shows.
+fn letters(math: &str) -> usize {
+    math.split('>').filter_map(|piece| piece.split('<').next()).map(|text| text.chars().count()).sum()
 }

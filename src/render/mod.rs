@@ -1,16 +1,25 @@
 //! Chapters and exhibits to the book: typed contexts for the templates, one function per kind of node.
 
+mod blocks;
+mod callouts;
+mod card;
 mod citations;
+mod code;
 pub(crate) mod data;
 mod exhibit;
+mod highlight;
 mod landing;
 pub(crate) mod machine;
 mod made;
 mod markdown;
 mod matter;
+mod notes;
 mod pages;
 mod pictures;
+mod previews;
+mod search;
 mod shelf;
+mod site;
 mod stepper;
 mod table;
 mod templates;
@@ -36,6 +45,9 @@ pub struct Book {
 
 /// The name of the file that tells machines about every exhibit.
 pub const FIGURES: &str = "figures.json";
+
+/// The name of the map of the site, which a site whose address is known has.
+pub const SITEMAP: &str = "sitemap.xml";
 
 /// What rendering needs to know.
 pub(crate) struct Rendering<'a> {
@@ -71,13 +83,18 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     let files = files.collect();
     let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates, files };
     let mut book = Book::default();
-    for (path, bytes) in pages::all(&rendering, &mut diagnostics) {
+    let pages = pages::all(&rendering, &mut diagnostics);
+    let previews = previews::files(&rendering, &pages);
+    for (path, bytes) in pages.into_iter().chain(previews) {
         book.files.insert(path, bytes.into_bytes());
     }
+    let (path, index) = search::file(&rendering);
+    book.files.insert(path, index.into_bytes());
     book.files.extend(rendering.templates.assets());
     if course.configuration.catalogue.is_empty() {
         book.files.remove(&format!("{}/{}", templates::ASSETS, shelf::STYLE));
     }
+    site::files(&rendering, &mut book);
     book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
     book.files.extend(rendering.files.into_iter().flatten().map(|file| (file.path, file.bytes)));
     for (path, bytes) in &workspace.blobs {

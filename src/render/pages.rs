@@ -9,6 +9,7 @@ use super::made::made;
 use super::markdown::Writer;
 use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MADE, Matter, TERMS};
 use super::shelf::{self, MemberContext};
+use super::site::{self, SiteContext};
 use super::templates::ASSETS;
 use super::terms;
 use crate::diag::Diagnostic;
@@ -26,6 +27,7 @@ pub(super) struct BookContext<'a> {
     catalogue: Vec<ChapterContext<'a>>,
     matter: Vec<MatterContext>,
     version: &'static str,
+    site: SiteContext<'a>,
 }
 
 /// A line of the list of chapters.
@@ -90,7 +92,6 @@ struct ChapterPage<'a> {
     contents: Vec<SectionContext>,
     previous: Option<Neighbour<'a>>,
     next: Option<Neighbour<'a>>,
-    footnotes: String,
     /// The shelf whose member it is.
     up: Option<Neighbour<'a>>,
     /// The members of the shelf that it is the page of.
@@ -125,6 +126,7 @@ pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) 
     for chapter in 0..rendering.course.chapters.len() {
         pages.push((rendering.href(chapter), chapter_page(rendering, chapter, diagnostics)));
     }
+    pages.extend(site::extra_pages(rendering, diagnostics));
     pages
 }
 
@@ -140,6 +142,7 @@ pub(super) fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> Boo
         catalogue: shelf::shelves(rendering, current).collect(),
         matter: matter::of(rendering).map(MatterContext::from).collect(),
         version: env!("CARGO_PKG_VERSION"),
+        site: site::context(rendering, current),
     }
 }
 
@@ -173,8 +176,8 @@ pub(super) fn neighbour<'a>(rendering: &Rendering<'a>, chapter: Option<usize>) -
 
 fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<Diagnostic>) -> String {
     let chapter = &rendering.course.chapters[index];
-    let written = Writer::new(rendering, index).chapter();
-    diagnostics.extend(written.diagnostics);
+    let (body, complaints) = Writer::new(rendering, index).chapter();
+    diagnostics.extend(complaints);
     let (previous, next) = shelf::neighbours(&rendering.course.chapters, index);
     let context = ChapterPage {
         book: book(rendering, Some(index)),
@@ -186,11 +189,10 @@ fn chapter_page(rendering: &Rendering<'_>, index: usize, diagnostics: &mut Vec<D
             href: rendering.href(index),
         },
         assets: ASSETS,
-        body: written.body,
+        body,
         contents: contents(rendering, index),
         previous: neighbour(rendering, previous),
         next: neighbour(rendering, next),
-        footnotes: written.footnotes,
         up: neighbour(rendering, shelf::above(&rendering.course.chapters, index)),
         members: shelf::members(rendering, index),
     };
@@ -211,7 +213,7 @@ fn contents(rendering: &Rendering<'_>, chapter: usize) -> Vec<SectionContext> {
 }
 
 /// A page of the book's own, from the template of its name.
-fn matter_page(
+pub(super) fn matter_page(
     rendering: &Rendering<'_>,
     matter: &Matter,
     own: impl Serialize,

@@ -53,5 +53,10 @@ pub fn sources() -> &'static Table<'static> {
     &embedded::DIGESTS
 }
 
+/// The digest of everything that this program is made of: sources, templates, locked dependencies.
+pub fn program() -> Digest {
+    embedded::PROGRAM
+}
+
 #[cfg(test)]
 mod tests;

@@ -2,16 +2,32 @@
 
 pub mod drift;
 pub mod lock;
+pub mod requests;
 pub mod site;
+mod sitemap;
+mod tags;
+pub mod weight;
 
 use std::path::Path;
 
 use crate::diag::{Code, Diagnostic};
 use crate::exhibits::Shown;
+use crate::parse::Course;
 use crate::plan::Plan;
+use crate::render::Book;
 use crate::sources::Digest;
 use drift::Now;
 use lock::Lock;
+
+/// Everything that must hold of a finished book: links and ids, no request to another host, the sitemap, the weight.
+pub fn book(book: &Book, course: &Course) -> Vec<Diagnostic> {
+    let site = &course.configuration.site;
+    let mut diagnostics = site::check(book, site.root());
+    diagnostics.extend(requests::check(book));
+    diagnostics.extend(sitemap::check(book, site.base_url.as_deref()));
+    diagnostics.extend(weight::check(book, course));
+    diagnostics
+}
 
 /// The lock of the course at `root`: `None` if there is none, and what is wrong with it if it cannot be read.
 pub fn read_lock(root: &Path) -> Result<Option<Lock>, Vec<Diagnostic>> {

@@ -1,4 +1,4 @@
-// Slides from the page: which of its blocks stand on which slide, and which go to the speaker's notes. `present.js` shows them.
+// Slides from the page: which of its blocks stand on which slide, and which go to the speaker's notes. `deck.js` shows them.
 //
 // Headings give titles. Exhibits, listings and exercises have slides of their own; between them stand definitions, equations and lists, with
 // the first sentence of each paragraph and those that define or stress something. Whole paragraphs go to the notes. Marks of the author,
@@ -10,7 +10,9 @@
   var LEAD = 230;   // text that is not longer than this stands above the exhibit that follows it
   var BELOW = 170;  // and text that is not longer than this below it, if it is a drawing
   var WHOLE = 330;  // paragraphs of bugs that are not longer than this are shown whole
-  var LINES = 12;   // longer listings stand alone
+  var LINES = 12;   // longer listings stand alone,
+  var ROWS = 8;     // and longer tables,
+  var PICTURES = 3; // and more pictures than that
   var SMALL = 0.65; // a table that would have to be smaller than this goes on to another slide
   var NO_TEXT = ".permalink, .footnote-reference, .side-note";
 
@@ -72,6 +74,18 @@
     return found;
   }
 
+  // Keeps formulas with what touches them behind; the joiners of the page are not enough where the line is scaled.
+  function keep(node) {
+    list(node.querySelectorAll("math:not([display=block]), .value")).forEach(function (part) {
+      var text = part.nextSibling, touching = text && text.nodeType === 3 && /^[^\s]+/.exec(text.data);
+      if (!touching || touching[0].length > 4) return;
+      var whole = make("span", "slide-whole");
+      part.before(whole);
+      whole.append(part, touching[0]);
+      text.data = text.data.slice(touching[0].length);
+    });
+  }
+
   // What a slide shows of a paragraph: paragraphs of neighbouring sentences.
   function points(paragraph, whole) {
     var all = sentences(paragraph), shown = [];
@@ -89,6 +103,7 @@
       point.size += sizes[at];
     });
     shown.forEach(function (point, at) {
+      keep(point.node);
       point.leads = open && at === shown.length - 1;
       if (/^\s*[a-z]/.test(point.node.textContent)) point.node.className = "point point-on";
     });
@@ -240,10 +255,11 @@
     // An exhibit or a listing has a slide, with the text before it if that is short.
     exhibit: function (node, from) {
       var lead = this.pending, self = this;
-      var long = node.querySelectorAll("tbody tr").length > LINES || (node.matches(".listing") && node.textContent.split("\n").length > LINES);
+      var long = node.querySelectorAll("tbody tr").length > ROWS || node.querySelectorAll(".picture").length > PICTURES ||
+        (node.matches(".listing") && node.textContent.split("\n").length > LINES);
       if (weight(lead) > LEAD || long) { this.flush(); lead = []; }
       this.pending = [];
-      var kind = node.matches(".listing") ? "code" : node.matches(".exhibit-table") ? "table" : node.matches(".exhibit-pictures") ? "pictures" : "figure";
+      var kind = node.matches(".listing") ? "code" : node.matches(".exhibit-table, .table-wrap") ? "table" : node.matches(".exhibit-pictures") ? "pictures" : "figure";
       var slide = this.open(kind);
       if (lead.length) slide.body.insertBefore(make("div", "slide-before"), slide.fit);
       lead.forEach(function (item) {
@@ -324,7 +340,7 @@
       if (node.matches("header, .footnotes, .side-note, .fold-all, script, hr")) return node.nodeName === "HR" && this.flush();
       if (node.matches("details, .callout-notes")) return this.note(node);
       if (node.matches(".callout-slide")) return this.mark(node);
-      if (node.matches("figure")) return this.exhibit(node, from);
+      if (node.matches("figure") || (node.matches(".table-wrap") && node.querySelectorAll("tbody tr").length > LINES)) return this.exhibit(node, from);
       if (node.matches(".callout-bug, .callout-exercise, .callout-goals, .callout-remember")) return this.apart(node, from);
       var before = this.pending[this.pending.length - 1];
       if (before && before.leads && node.matches("ul, ol")) before.node.classList.add("point-list");

@@ -62,8 +62,8 @@
     parts.clock = part("span", "speaker-clock", bar);
     parts.run.onclick = run;
     parts.reset.onclick = reset;
-    parts.previous.onclick = function () { workbook.present.previous(); };
-    parts.next.onclick = function () { workbook.present.next(); };
+    parts.previous.onclick = function () { workbook.deck.previous(); };
+    parts.next.onclick = function () { workbook.deck.next(); };
     parts.now = part("section", "speaker-now", page.body);
     parts.now.setAttribute("aria-label", "On the screen");
     parts.then = part("section", "speaker-next", page.body);
@@ -74,7 +74,7 @@
     page.onkeydown = function (event) {
       // Space and arrows scroll the notes only while these have the focus.
       if (parts.notes.contains(event.target) && /^(Arrow(Up|Down)| )$/.test(event.key)) return;
-      if (workbook.present.press(event)) event.preventDefault();
+      if (workbook.deck.press(event)) event.preventDefault();
     };
     clock = setInterval(tick, 250);
   }
@@ -104,7 +104,7 @@
   function update() {
     if (!view) return;
     if (view.closed) return stop();
-    var state = workbook.present.state(), slide = state.slides[state.at];
+    var state = workbook.deck.state(), slide = state.slides[state.at];
     view.document.documentElement.dataset.theme = document.documentElement.dataset.theme || "";
     parts.next.disabled = parts.previous.disabled = !state.open;
     if (!state.open) {

@@ -84,7 +84,7 @@ impl Course {
 
     /// The book as the library makes it, on `threads` threads.
     pub fn compose(&self, threads: usize) -> Composed {
-        compose(&Request { root: self.root().to_owned(), threads, cached: true }, &())
+        compose(&Request { root: self.root().to_owned(), threads, cached: true, audience: None }, &())
     }
 
     /// The program with `arguments`, in the course's folder.

@@ -29,6 +29,10 @@ const DIAGNOSTICS: &str = "expected.txt";
 const BOOK: &str = "expected/";
 /// The pages that tell of this build: its kinds, its code.
 const OWN_PAGES: [&str; 2] = ["kinds.html", "made.html"];
+/// The index of the search, which has the kinds of this build as well; `search` tests what it holds.
+const INDEX: &str = "assets/search-index.js";
+/// The page for addresses that lead nowhere: one case holds its text.
+const LOST: &str = "404.html";
 /// The list of files that are no pages.
 const OTHERS: &str = "expected/others.txt";
 
@@ -115,7 +119,8 @@ fn given(case: &str) -> Texts {
 /// Whether a file is expected as a text: the pages of kinds and of how the book was made are those of this build, and of the gallery, which is large, the drawings and
 /// data are in the list of files, each with its digest.
 fn is_compared(path: &str, case: &str) -> bool {
-    path == "figures.json" || (extension(path) == Some("html") && !OWN_PAGES.contains(&path) && case != "gallery")
+    let own = OWN_PAGES.contains(&path) || case == "gallery" || (path == LOST && case != "site");
+    path == "figures.json" || (extension(path) == Some("html") && !own)
 }
 
 /// The keys of all exhibits.
@@ -137,6 +142,9 @@ fn without_keys(mut text: String, keys: &[String]) -> String {
 fn other(path: &str, bytes: &[u8]) -> String {
     if OWN_PAGES.contains(&path) || extension(path) == Some("html") {
         return "a page".to_owned();
+    }
+    if path == INDEX {
+        return "the index of the search".to_owned();
     }
     let template = fs::read(Path::new(PACKAGE).join("templates").join(path));
     let css = workbook::chart::palette::css();

@@ -8,6 +8,8 @@ mod appendices;
 mod asked;
 #[cfg(feature = "publish")]
 mod atomic;
+#[cfg(feature = "publish")]
+mod audience;
 mod battery;
 #[cfg(feature = "publish")]
 mod behaviour;
@@ -29,11 +31,15 @@ mod enumeration;
 mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
+mod formulas;
+#[cfg(feature = "publish")]
 mod gallery;
 #[cfg(feature = "publish")]
 mod golden;
 #[cfg(feature = "publish")]
 mod kinds;
+#[cfg(feature = "publish")]
+mod listings;
 #[cfg(feature = "publish")]
 mod lock;
 mod measures;
@@ -52,7 +58,13 @@ mod point_questions;
 mod points;
 mod properties;
 #[cfg(feature = "publish")]
+mod reading;
+#[cfg(feature = "publish")]
+mod receipt;
+#[cfg(feature = "publish")]
 mod review;
+#[cfg(feature = "publish")]
+mod search;
 mod settings;
 #[cfg(feature = "publish")]
 mod slides;
@@ -68,3 +80,5 @@ mod tidy;
 #[cfg(feature = "publish")]
 mod traps;
 mod typed;
+#[cfg(feature = "publish")]
+mod web;

@@ -30,6 +30,7 @@ const LAYERS: &[&[&str]] = &[
     &["exhibits"],
     &["render"],
     &["write"],
+    &["receipt"],
     &["verify"],
     &["compose"],
     &["cli"],
@@ -73,7 +74,7 @@ const SHARED: &[&str] = &[
 ];
 
 /// Folders that are made, not written.
-const MADE: &[&str] = &[".git", "target", "book", ".workbook", "tests/browser/node_modules"];
+const MADE: &[&str] = &[".git", "target", "book", "book-student", ".workbook", "tests/browser/node_modules"];
 
 /// The most lines of a file that are not empty.
 const LONGEST: usize = 400;
@@ -215,8 +216,13 @@ fn only_the_command_line_prints_and_exits() {
 #[test]
 fn only_the_ends_and_the_cache_touch_the_disk() {
     let names = ["std::fs", "fs::", "File::open", "File::create", "OpenOptions"];
-    let allowed = ["workspace.rs", "run/cache.rs", "write.rs", "verify/mod.rs"];
+    let allowed = ["workspace.rs", "run/cache.rs", "receipt.rs", "write.rs", "verify/mod.rs"];
     none(&strays(&names, &allowed), "only the workspace, the cache, the writer and the lock's reader touch the disk");
+}
+
+#[test]
+fn only_the_workspace_runs_other_programs() {
+    none(&strays(&["process::Command", "Command::new"], &["workspace/"]), "only the workspace asks another program");
 }
 
 #[test]

@@ -48,6 +48,18 @@ impl Study<'_> {
         counts: &[usize],
         replicates: usize,
     ) -> Result<Vec<Vec<Vec<f64>>>, Failure> {
+        let all = self.estimates_of(&[self.integrand], methods, counts, replicates)?;
+        Ok(all.into_iter().next().unwrap_or_default())
+    }
+
+    /// The same for several integrands, all from the same points: `[integrand][method][count][replicate]`.
+    pub fn estimates_of(
+        &self,
+        integrands: &[&Function],
+        methods: &[Method],
+        counts: &[usize],
+        replicates: usize,
+    ) -> Result<Vec<Vec<Vec<Vec<f64>>>>, Failure> {
         let mut tasks = Vec::new();
         for (i, method) in methods.iter().enumerate() {
             let replicates = replicates_of(method, replicates);
@@ -57,30 +69,28 @@ impl Study<'_> {
                 tasks.extend(batches.map(|first| (i, j, method, n, first..(first + batch).min(replicates))));
             }
         }
-        let results: Vec<_> = tasks.par_iter().map(|(_, _, method, n, batch)| self.batch(method, *n, batch)).collect();
-        let mut all = vec![vec![Vec::new(); counts.len()]; methods.len()];
+        let batch = |method: &Method, n: usize, replicates: &Range<usize>| -> Result<Vec<Vec<f64>>, Failure> {
+            let one = |replicate| {
+                let points = self.points(method, n, self.stream(method, n, replicate))?;
+                integrands.iter().map(|integrand| mean(integrand, &points)).collect()
+            };
+            replicates.clone().map(one).collect()
+        };
+        let results: Vec<_> = tasks.par_iter().map(|(_, _, method, n, runs)| batch(method, *n, runs)).collect();
+        let mut all = vec![vec![vec![Vec::new(); counts.len()]; methods.len()]; integrands.len()];
         for ((i, j, ..), result) in tasks.into_iter().zip(results) {
-            let estimates = result?;
-            if let Some(slot) = all.get_mut(i).and_then(|counts| counts.get_mut(j)) {
-                slot.extend(estimates);
+            for run in result? {
+                for (of, estimate) in all.iter_mut().zip(run) {
+                    of[i][j].push(estimate);
+                }
             }
         }
         Ok(all)
     }
 
-    fn batch(&self, method: &Method, n: usize, replicates: &Range<usize>) -> Result<Vec<f64>, Failure> {
-        replicates.clone().map(|replicate| self.estimate(method, n, self.stream(method, n, replicate))).collect()
-    }
-
     /// One estimate: the mean of the integrand over n points.
     pub fn estimate(&self, method: &Method, n: usize, stream: Seed) -> Result<f64, Failure> {
-        let points = self.points(method, n, stream)?;
-        let mut sum = Sum::default();
-        for point in points.rows() {
-            sum.add(self.integrand.evaluate(point));
-        }
-        let mean = sum.value() / n as f64;
-        if mean.is_finite() { Ok(mean) } else { Err(self.undefined(&points)) }
+        mean(self.integrand, &self.points(method, n, stream)?)
     }
 
     /// The points of one replicate.
@@ -90,9 +100,42 @@ impl Study<'_> {
 
     /// The failure of an integrand that is not finite at one of `points`.
     pub fn undefined(&self, points: &Points) -> Failure {
-        let at = points.rows().find(|point| !self.integrand.evaluate(point).is_finite());
-        undefined(self.integrand, at.unwrap_or_default())
+        undefined_at(self.integrand, points)
     }
+}
+
+/// The estimates of several integrands, `[integrand][method][count][replicate]`: those with as many dimensions that follow each other
+/// are from the same points. `asked` are the dimensions, if they are told.
+pub fn estimates_of_all(
+    kind: &'static str,
+    (integrands, asked): (&[Function], Option<usize>),
+    methods: &[Method],
+    counts: &[usize],
+    replicates: usize,
+    seed: Seed,
+) -> Result<Vec<Vec<Vec<Vec<f64>>>>, Failure> {
+    let mut all = Vec::new();
+    for alike in integrands.chunk_by(|a, b| dimensions(a, asked) == dimensions(b, asked)) {
+        let study = Study { kind, integrand: &alike[0], d: dimensions(&alike[0], asked), seed };
+        all.extend(study.estimates_of(&alike.iter().collect::<Vec<_>>(), methods, counts, replicates)?);
+    }
+    Ok(all)
+}
+
+/// The mean of `integrand` over `points`.
+fn mean(integrand: &Function, points: &Points) -> Result<f64, Failure> {
+    let mut sum = Sum::default();
+    for point in points.rows() {
+        sum.add(integrand.evaluate(point));
+    }
+    let mean = sum.value() / points.len() as f64;
+    if mean.is_finite() { Ok(mean) } else { Err(undefined_at(integrand, points)) }
+}
+
+/// The failure of an integrand that is not finite at one of `points`.
+fn undefined_at(integrand: &Function, points: &Points) -> Failure {
+    let at = points.rows().find(|point| !integrand.evaluate(point).is_finite());
+    undefined(integrand, at.unwrap_or_default())
 }
 
 /// The failure of `integrand` at a point where it is not finite.
