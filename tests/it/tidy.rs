@@ -74,7 +74,7 @@ const SHARED: &[&str] = &[
 ];
 
 /// Folders that are made, not written.
-const MADE: &[&str] = &[".git", "target", "book", "book-student", ".workbook"];
+const MADE: &[&str] = &[".git", "target", "book", "book-student", ".workbook", "tests/browser/node_modules"];
 
 /// The most lines of a file that are not empty.
 const LONGEST: usize = 400;
