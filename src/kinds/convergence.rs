@@ -313,7 +313,7 @@ mod drawing {
 
     use super::{Convergence, Curve, Data, Errors, Mark, extremes, is_power};
     use crate::chart::number::{fixed, integer, shortest, significant};
-    use crate::chart::{Axis, Chart, ChartError, Corner, Drawing, Layer, Line, Marks, Note, Panel, Rich, Sheet, Style};
+    use crate::chart::{Axis, Chart, ChartError, Dash, Drawing, Layer, Line, Marks, Panel, Rich, Sheet, Style};
     use crate::integrands::Function;
 
     pub(super) fn draw(p: &Convergence, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -324,7 +324,7 @@ mod drawing {
             let panel = Panel::new(Axis::log2("*N*"), Axis::log(title)).with_all(references(p, errors));
             let panel = panel.with_all(errors.curves.iter().flat_map(|curve| line(p, curve, several)));
             match p.integrands.get(index) {
-                Some(integrand) if several => panel.title(name(integrand)).with_all(notes(errors)),
+                Some(integrand) if several => panel.title(name(integrand)),
                 _ => panel.ratio(0.62),
             }
         };
@@ -348,6 +348,10 @@ mod drawing {
         };
         let style = Style::of(&curve.method);
         let line = Line::new(through(&|_| true)).style(style).label(label);
+        let line = match curve.fit {
+            Some((slope, ..)) if several => line.tail(fixed(slope, 2)),
+            _ => line,
+        };
         match p.powers {
             None => vec![line.marked().into()],
             Some(base) => {
@@ -357,19 +361,8 @@ mod drawing {
         }
     }
 
-    /// The slopes above the middles of the lines, where they stand apart.
-    fn notes(errors: &Errors) -> Vec<Note> {
-        let middle = |curve: &Curve| {
-            let shown: Vec<&Mark> = curve.marks.iter().filter(|mark| mark.resolved).collect();
-            shown.get(shown.len() / 2).map(|mark| (mark.n as f64, mark.rmse))
-        };
-        let places: Vec<((f64, f64), f64)> =
-            errors.curves.iter().filter_map(|curve| Some((middle(curve)?, curve.fit?.0))).collect();
-        let far = |a: f64, b: f64| a / b > 1.8 || b / a > 1.8;
-        let apart = |at: f64, index: usize| places.iter().take(index).all(|((_, other), _)| far(at, *other));
-        let alone = places.iter().enumerate().filter(|(index, ((_, at), _))| apart(*at, *index));
-        alone.map(|(_, (at, slope))| Note::new(*at, fixed(*slope, 2)).corner(Corner::AboveRight)).collect()
-    }
+    /// How the reference slopes are broken, in the order in which they are asked for.
+    const BROKEN: [Dash; 5] = [Dash::Dashed, Dash::Dotted, Dash::DashDot, Dash::Long, Dash::DashDotDot];
 
     /// The reference slopes: that of independent samples at its predicted height, the others through the first error.
     fn references(p: &Convergence, errors: &Errors) -> Vec<Line> {
@@ -378,11 +371,13 @@ mod drawing {
         let start = errors.curves.iter().filter_map(|curve| curve.marks.first()).filter(|mark| mark.resolved);
         let highest = start.map(|mark| mark.rmse).max_by(f64::total_cmp);
         let predicted = errors.variance.map(|variance| (variance / x0).sqrt()).filter(|height| *height > 0.0);
-        let reference = |&slope: &f64| {
+        let reference = |(&slope, dash): (&f64, Dash)| {
             let height = if slope == -0.5 { predicted.or(highest) } else { highest.or(predicted) };
-            height.map(|height| Line::power(x0, height, slope, x1).label(format!("slope {}", shortest(slope))))
+            let line = |height| Line::power(x0, height, slope, x1).style(Style::THEORY.dash(dash));
+            height.map(|height| line(height).label(format!("slope {}", shortest(slope))))
         };
-        if first == last { Vec::new() } else { p.slopes.iter().filter_map(reference).collect() }
+        let broken = p.slopes.iter().zip(BROKEN.into_iter().cycle());
+        if first == last { Vec::new() } else { broken.filter_map(reference).collect() }
     }
 
     pub(super) fn alt(p: &Convergence, data: &Data) -> Option<String> {
