@@ -29,7 +29,7 @@ use crate::workspace::Workspace;
 pub use amount::{Amount, Settled};
 pub use bibliography::Bibliography;
 pub use changed::{Change, Changed};
-pub use claim::{Bound, Claim, Literal};
+pub use claim::{Bound, Claim, Literal, Other};
 pub use format::Format;
 pub(crate) use format::{escape, minus};
 pub use formula::Converter;
