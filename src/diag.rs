@@ -184,6 +184,8 @@ codes! {
     TypedNumber = "W0121";
     /// An entry of `[given]` that nothing uses.
     UnusedGiven = "W0122";
+    /// A listing with a line wider than a page has room for.
+    WideListing = "W0124";
     // What was computed.
     /// An experiment that failed.
     Failed = "W0201";

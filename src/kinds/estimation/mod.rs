@@ -73,7 +73,12 @@ impl Study<'_> {
     }
 
     /// One estimate: the mean of the integrand over n points.
-    pub fn estimate(&self, method: &Method, n: usize, stream: Seed) -> Result<f64, Failure> {
+    pub fn estimate(
+        &self,
+        method: &Method,
+        n: usize, // points
+        stream: Seed,
+    ) -> Result<f64, Failure> {
         let points = self.points(method, n, stream)?;
         let mut sum = Sum::default();
         for point in points.rows() {
