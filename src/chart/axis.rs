@@ -46,12 +46,14 @@ pub struct Axis {
     pub(super) include: Vec<f64>,
     pub(super) ticks: Option<Vec<(f64, Rich)>>,
     pub(super) hidden: bool,
+    pub(super) from: Option<f64>,
 }
 
 impl Axis {
     /// A linear axis.
     pub fn linear(title: impl Into<Rich>) -> Self {
-        Self { scale: Scale::Linear, title: title.into(), range: None, include: Vec::new(), ticks: None, hidden: false }
+        let (range, include, ticks) = (None, Vec::new(), None);
+        Self { scale: Scale::Linear, title: title.into(), range, include, ticks, hidden: false, from: None }
     }
 
     /// A logarithmic axis with ticks at powers of ten.
@@ -82,6 +84,13 @@ impl Axis {
     #[must_use]
     pub fn ticks_at(mut self, ticks: Vec<(f64, Rich)>) -> Self {
         self.ticks = Some(ticks);
+        self
+    }
+
+    /// With a line that begins only at this value, though its panel begins before.
+    #[must_use]
+    pub fn from(mut self, value: f64) -> Self {
+        self.from = Some(value);
         self
     }
 

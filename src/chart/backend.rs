@@ -187,8 +187,8 @@ pub(super) fn polyline(points: impl IntoIterator<Item = BackendCoord>, closed: b
     }
 }
 
-/// The opening of the document.
-pub(super) fn open(sheet: &Sheet, height: i32, out: &mut String) {
+/// Opens the drawing; `named` if names stand beside its axes, so that it must not shrink as far as others.
+pub(super) fn open(sheet: &Sheet, height: i32, named: bool, out: &mut String) {
     let width = (sheet.width * UNIT).round() as i32;
     let size = |out: &mut String, between: &str| {
         hundredths(width, out);
@@ -199,7 +199,8 @@ pub(super) fn open(sheet: &Sheet, height: i32, out: &mut String) {
     escape(&sheet.id, &mut id);
     escape(&sheet.title, &mut title);
     escape(&sheet.description, &mut description);
-    out.push_str("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" role=\"img\" viewBox=\"0 0 ");
+    let class = if named && sheet.width > 480.0 { "chart named" } else { "chart" };
+    let _ = write!(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}\" role=\"img\" viewBox=\"0 0 ");
     size(out, " ");
     out.push_str("\" width=\"");
     size(out, "\" height=\"");

@@ -2,6 +2,8 @@
 
 /// The room a name needs, in units.
 pub(super) const LINE: f64 = 19.0;
+/// The room that a few words at the end of a line need: figures have no letters that reach below.
+pub(super) const TAIL: f64 = 15.0;
 
 /// Places for names that want to be at `wanted`, at least `gap` apart and within `low..=high`, each as near to where it wants
 /// to be as the others allow. `None` if there is no room.

@@ -188,8 +188,12 @@ fn lines(plot: &Plot<'_>, page: &Page<'_>) -> Result<(), ChartError> {
     let (mut points, mut ends) = (Vec::new(), Vec::new());
     let length = |tick: &Tick| if tick.label.is_some() { 500 } else { 300 };
     if !panel.x.hidden {
+        let (low, high) = plot.window.x;
+        let begun = panel.x.from.and_then(|value| panel.x.scale.position(value));
+        let share = begun.map_or(0.0, |at| ((at - low) / (high - low)).clamp(0.0, 1.0));
+        let left = rect.left + (share * f64::from(rect.right - rect.left)).round() as i32;
         page.root
-            .draw(&PathElement::new([(rect.left, rect.bottom), (rect.right, rect.bottom)], ink.style(false)))
+            .draw(&PathElement::new([(left, rect.bottom), (rect.right, rect.bottom)], ink.style(false)))
             .map_err(failed)?;
         for (x, tick) in places(&plot.x_ticks, plot.window.x, rect.right - rect.left) {
             points.extend([(rect.left + x, rect.bottom), (rect.left + x, rect.bottom + length(tick))]);

@@ -69,6 +69,7 @@ pub struct Line {
     pub(super) points: Vec<(f64, f64)>,
     pub(super) style: Style,
     pub(super) label: Option<Rich>,
+    pub(super) tail: Option<Rich>,
     pub(super) marked: bool,
     pub(super) stepped: bool,
     pub(super) width: f64,
@@ -78,13 +79,22 @@ pub struct Line {
 impl Line {
     /// A plain line.
     pub fn new(points: Vec<(f64, f64)>) -> Self {
-        Self { points, style: Style::INK, label: None, marked: false, stepped: false, width: 1.75, opacity: 1.0 }
+        let (marked, stepped) = (false, false);
+        Self { points, style: Style::INK, label: None, tail: None, marked, stepped, width: 1.75, opacity: 1.0 }
     }
 
     /// The line y = `y0` (x / `x0`)^`exponent` from `x0` to `x1`: a reference slope, straight where both axes are logarithmic.
     pub fn power(x0: f64, y0: f64, exponent: f64, x1: f64) -> Self {
         let end = y0 * portable::pow(x1 / x0, exponent);
         Self::new(vec![(x0, y0), (x1, end)]).style(Style::THEORY)
+    }
+
+    /// With a few words at its end, beyond the axes, such as its slope; its name may stand in the key all the same. A line whose
+    /// name stands at its end has no other words there.
+    #[must_use]
+    pub fn tail(mut self, words: impl Into<Rich>) -> Self {
+        self.tail = Some(words.into());
+        self
     }
 
     /// With a mark at each point, in the shape of the style.

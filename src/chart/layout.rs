@@ -72,10 +72,24 @@ pub(super) fn draw(chart: &Chart, sheet: &Sheet) -> Result<Figure, ChartError> {
     let (direct, room) = direct(chart, sheet.width);
     let frame = Frame::new(chart, &windows, sheet.width, room)?;
     let key = if direct || chart.key == Key::Hidden { Vec::new() } else { legend::entries(chart) };
-    let rows = legend::rows(key, sheet.width - frame.left.0);
+    let left = frame.left.0;
     let cells = Cells { chart, frame, extents: &extents, windows: &windows, direct, ruled: room.is_some() };
+    if let Some((keyed, plots, height)) = cells.keyed_in_hole(&key, sheet.width) {
+        return write(sheet, &plots, &keyed, height);
+    }
+    let rows = legend::rows(key, sheet.width - left);
     let (plots, height) = cells.place(sheet.width, legend::height(&rows));
-    write(sheet, &plots, &rows, height)
+    let left = plots.first().map_or(0.0, |plot| f64::from(plot.rect.left) / backend::UNIT);
+    write(sheet, &plots, &Keyed { rows, at: (left, 0.0), right: sheet.width }, height)
+}
+
+/// The key with its place.
+struct Keyed {
+    rows: Vec<Vec<Entry>>,
+    /// Its left upper corner, in units.
+    at: (f64, f64),
+    /// How far it may reach.
+    right: f64,
 }
 
 /// The extents and windows of the panels, shared where they should be.
@@ -122,6 +136,15 @@ fn direct(chart: &Chart, width: f64) -> (bool, Option<f64>) {
     (false, if fit(&rules) { room(&rules) } else { None })
 }
 
+/// The room that the words at the ends of lines need at the right.
+fn tails(chart: &Chart) -> f64 {
+    let tail = |layer: &Layer| match layer {
+        Layer::Line(line) => line.tail.as_ref().map(|words| words.width() + 22.0),
+        _ => None,
+    };
+    chart.panels.iter().flat_map(|panel| &panel.layers).filter_map(tail).fold(0.0, f64::max)
+}
+
 /// About how many labels fit on `length` units.
 fn label_count(length: f64, each: f64) -> usize {
     ((length / each).floor() as usize).clamp(2, 8)
@@ -147,7 +170,7 @@ impl Frame {
         let left = panels.iter().zip(windows).map(widest).fold(2.0, f64::max);
         let left = (left, if joined { 2.0 } else { left });
         let rug = if panels.iter().any(|panel| panel.rug) { draw::RUG } else { 4.0 };
-        let right = direct.unwrap_or(if square { rug } else { 14.0 });
+        let right = direct.unwrap_or(if square { rug } else { 14.0 }).max(tails(chart));
         let others = (columns - 1) as f64;
         let room = sheet - left.0 - left.1 * others - right * columns as f64 - GAP * others;
         let mut width = room / columns as f64;
@@ -220,6 +243,24 @@ impl<'a> Cells<'a> {
         (plots, y)
     }
 
+    /// The key in the place that the last of several rows of panels leaves free, if it fits there; it takes no room above then.
+    fn keyed_in_hole(&self, key: &[Entry], sheet: f64) -> Option<(Keyed, Vec<Plot<'a>>, f64)> {
+        let (columns, panels) = (self.frame.columns, self.chart.panels.len());
+        if key.is_empty() || self.chart.key != Key::Auto || panels < columns || panels.is_multiple_of(columns) {
+            return None;
+        }
+        let (plots, height) = self.place(sheet, 0.0);
+        let last = plots.last()?;
+        let unit = |hundredths: i32| f64::from(hundredths) / backend::UNIT;
+        // Where the next panel would stand, up to the right edge of the last column.
+        let left = unit(last.rect.right) + self.frame.right + GAP + self.frame.left.1.min(12.0);
+        let width = unit(plots.iter().map(|plot| plot.rect.right).max()?) + self.frame.right - left;
+        let rows = legend::rows(key.to_vec(), width);
+        let fits = legend::fits(&rows, width) && legend::height(&rows) <= unit(last.rect.bottom - last.rect.top);
+        let keyed = Keyed { rows, at: (left, unit(last.rect.top)), right: left + width };
+        fits.then_some((keyed, plots, height))
+    }
+
     /// The panel `index`, in a row that begins at `y`.
     fn plot(&self, index: usize, margin: f64, y: f64) -> Plot<'a> {
         let (frame, panels) = (&self.frame, &self.chart.panels);
@@ -269,15 +310,14 @@ fn fitting(panel: &Panel, window: &Window, width: f64) -> Vec<Tick> {
 }
 
 /// Writes the SVG.
-fn write(sheet: &Sheet, plots: &[Plot<'_>], rows: &[Vec<Entry>], height: f64) -> Result<Figure, ChartError> {
+fn write(sheet: &Sheet, plots: &[Plot<'_>], key: &Keyed, height: f64) -> Result<Figure, ChartError> {
     let height = hundredths(height.ceil());
     let size = (hundredths(sheet.width).unsigned_abs(), height.unsigned_abs());
     let mut svg = String::new();
-    backend::open(sheet, height, &mut svg);
+    backend::open(sheet, height, plots.iter().any(|plot| plot.direct || plot.ruled), &mut svg);
     {
         let page = Page::new(&mut svg, size);
-        let left = plots.first().map_or(0.0, |plot| f64::from(plot.rect.left) / backend::UNIT);
-        legend::draw(rows, left, sheet.width, &page)?;
+        legend::draw(&key.rows, key.at, key.right, &page)?;
         for plot in plots {
             draw::plot(plot, &page)?;
         }

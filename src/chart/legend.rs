@@ -91,12 +91,27 @@ pub(super) fn height(rows: &[Vec<Entry>]) -> f64 {
     if rows.is_empty() { 0.0 } else { ROW * rows.len() as f64 + 8.0 }
 }
 
-/// Draws the rows from `left` on, or from further left where they would not fit in `width`, at the top of the sheet.
-pub(super) fn draw(rows: &[Vec<Entry>], left: f64, width: f64, page: &Page<'_>) -> Result<(), ChartError> {
+/// The width of the longest row.
+fn longest(rows: &[Vec<Entry>]) -> f64 {
     let long = |row: &Vec<Entry>| row.iter().map(|entry| entry.width() + GAP).sum::<f64>() - GAP;
-    let left = left.min(width - rows.iter().map(long).fold(0.0, f64::max)).max(0.0);
+    rows.iter().map(long).fold(0.0, f64::max)
+}
+
+/// Whether every row is within `width`: one entry alone may be wider.
+pub(super) fn fits(rows: &[Vec<Entry>], width: f64) -> bool {
+    longest(rows) <= width
+}
+
+/// Draws the rows from `(left, top)` on, or from further left where they would reach beyond `right`.
+pub(super) fn draw(
+    rows: &[Vec<Entry>],
+    (left, top): (f64, f64),
+    right: f64,
+    page: &Page<'_>,
+) -> Result<(), ChartError> {
+    let left = left.min(right - longest(rows)).max(0.0);
     for (index, row) in rows.iter().enumerate() {
-        let y = ROW * (index as f64 + 0.5);
+        let y = top + ROW * (index as f64 + 0.5);
         let mut x = left;
         for entry in row {
             swatch(entry, x, y, page)?;

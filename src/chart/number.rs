@@ -65,7 +65,7 @@ pub fn parts(value: f64, digits: usize) -> (String, i32) {
 }
 
 /// An integer in superscript digits.
-fn raised(value: i32) -> String {
+pub fn raised(value: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digits = value.unsigned_abs().to_string();
     let digits = digits.bytes().filter_map(|byte| DIGITS.get(usize::from(byte - b'0')));

@@ -1,7 +1,7 @@
 //! Paints the layers of a panel on its axes.
 
 use super::backend::UNIT;
-use super::direct::{LINE, spread};
+use super::direct::{LINE, TAIL, spread};
 use super::draw::{Axes, Page, failed};
 use super::geometry::{Lines, polygon, stairs, thinned};
 use super::layout::Plot;
@@ -79,8 +79,9 @@ impl<'p> Painter<'p, '_> {
         let columns = ((rect.right - rect.left) / 100).max(1) as usize;
         let places = thinned(positions(&points, sx, sy), &self.plot.window, columns);
         let lines = Lines::clipped(places.into_iter(), &self.plot.window);
-        if let (Some(label), Some(end), true) = (&line.label, lines.points.last(), self.plot.direct) {
-            self.ends.push((self.axes.map_coordinate(end), line.style.role, label));
+        let words = if self.plot.direct { &line.label } else { &line.tail };
+        if let (Some(words), Some(end)) = (words, lines.points.last()) {
+            self.ends.push((self.axes.map_coordinate(end), line.style.role, words));
         }
         let ink = Ink::new(line.style.role, line.width).dash(line.style.dash).opacity(line.opacity);
         self.shape(lines.points, Kind::Stroke(lines.ends, ink))?;
@@ -334,18 +335,29 @@ impl<'p> Painter<'p, '_> {
         let rect = self.plot.rect;
         let wanted: Vec<f64> = ends.iter().map(|end| unit(end.0.1)).collect();
         let (low, high) = (unit(rect.top), unit(rect.bottom));
-        let Some(places) = spread(&wanted, LINE, low, high) else {
+        let line = if self.plot.direct { LINE } else { TAIL };
+        let Some(places) = spread(&wanted, line, low, high) else {
             return Err(ChartError::Drawing("more names than the height of the chart has room for".to_owned()));
         };
         for (((x, y), role, name), place) in ends.into_iter().zip(places) {
             let (from, right) = (unit(x) + 5.0, unit(rect.right));
-            let leader = [(from, unit(y)), ((right + 6.0).max(from), unit(y)), (right + 16.0, place)];
+            let turn = (right + 6.0).max(from);
+            if turn - from > NEAR {
+                // Where the line ends long before the axes do, what leads on to its name must not look like more of it.
+                let ink = Ink::new(Role::Muted, 0.75).dash(Dash::Dotted);
+                self.page.shape(&[(from, unit(y)), (turn, unit(y))], Kind::Stroke(vec![2], ink))?;
+            }
+            let from = if turn - from > NEAR { turn } else { from };
+            let leader = [(from, unit(y)), (turn, unit(y)), (right + 16.0, place)];
             self.page.shape(&leader, Kind::Stroke(vec![3], Ink::new(role, 1.0).dash(Dash::Solid).opacity(0.7)))?;
             self.page.text(name, (right + 20.0, place), (HPos::Left, VPos::Center), Role::Ink, false)?;
         }
         Ok(())
     }
 }
+
+/// The longest leader that is one with its line, in units.
+const NEAR: f64 = 24.0;
 
 /// The diameter of marks that suits their number on a plot of this side.
 fn size(count: usize, side: f64) -> f64 {

@@ -186,8 +186,9 @@ pub struct Style {
     pub marker: Marker,
 }
 
-/// The samplers and their styles through the whole book.
-const SAMPLERS: [(&str, Style); 14] = [
+/// The samplers and their styles through the whole book, and those of the scrambled ones that it compares: any two differ in at
+/// least two of colour, dash and marker.
+const SAMPLERS: [(&str, Style); 43] = [
     ("independent", Style { role: Role::Vermilion, dash: Dash::Solid, marker: Marker::Disc }),
     ("jittered", Style { role: Role::Ochre, dash: Dash::Dashed, marker: Marker::Square }),
     ("latin-hypercube", Style { role: Role::Purple, dash: Dash::DashDot, marker: Marker::Diamond }),
@@ -200,8 +201,37 @@ const SAMPLERS: [(&str, Style); 14] = [
     ("multi-jittered", Style { role: Role::Slate, dash: Dash::DashDotDot, marker: Marker::Cross }),
     ("grid", Style { role: Role::Muted, dash: Dash::Dotted, marker: Marker::Plus }),
     ("van-der-corput+xor", Style { role: Role::Violet, dash: Dash::Dotted, marker: Marker::Ring }),
-    ("halton+shift", Style { role: Role::Teal, dash: Dash::Dashed, marker: Marker::Ring }),
+    ("halton+cranley-patterson", Style { role: Role::Teal, dash: Dash::Dashed, marker: Marker::Ring }),
     ("halton+xor", Style { role: Role::Olive, dash: Dash::Dashed, marker: Marker::Cross }),
+    ("dart-throwing", Style { role: Role::Teal, dash: Dash::Solid, marker: Marker::Diamond }),
+    ("maximal-poisson", Style { role: Role::Violet, dash: Dash::DashDot, marker: Marker::Up }),
+    ("best-candidate", Style { role: Role::Green, dash: Dash::Solid, marker: Marker::Down }),
+    ("bridson", Style { role: Role::Slate, dash: Dash::DashDot, marker: Marker::Square }),
+    ("pmj02", Style { role: Role::Blue, dash: Dash::Dashed, marker: Marker::Down }),
+    ("hammersley", Style { role: Role::Green, dash: Dash::Long, marker: Marker::Diamond }),
+    ("faure", Style { role: Role::Olive, dash: Dash::Dotted, marker: Marker::Square }),
+    ("niederreiter", Style { role: Role::Purple, dash: Dash::Dashed, marker: Marker::Disc }),
+    ("korobov", Style { role: Role::Slate, dash: Dash::Solid, marker: Marker::Up }),
+    ("kronecker", Style { role: Role::Vermilion, dash: Dash::Dashed, marker: Marker::Up }),
+    ("fibonacci", Style { role: Role::Ochre, dash: Dash::DashDotDot, marker: Marker::Diamond }),
+    ("larcher-pillichshammer", Style { role: Role::Wine, dash: Dash::DashDotDot, marker: Marker::Down }),
+    ("zero-two", Style { role: Role::Teal, dash: Dash::DashDotDot, marker: Marker::Disc }),
+    ("orthogonal-array", Style { role: Role::Violet, dash: Dash::Long, marker: Marker::Square }),
+    ("orthogonal-array-bush", Style { role: Role::Olive, dash: Dash::Long, marker: Marker::Up }),
+    ("correlated-multi-jittered", Style { role: Role::Green, dash: Dash::DashDotDot, marker: Marker::Square }),
+    ("padded-jittered", Style { role: Role::Vermilion, dash: Dash::Dotted, marker: Marker::Down }),
+    ("uniform-jitter", Style { role: Role::Blue, dash: Dash::Dotted, marker: Marker::Diamond }),
+    ("centred-grid", Style { role: Role::Muted, dash: Dash::DashDot, marker: Marker::Disc }),
+    ("radical-inverse", Style { role: Role::Ochre, dash: Dash::Dotted, marker: Marker::Disc }),
+    ("folded", Style { role: Role::Muted, dash: Dash::DashDotDot, marker: Marker::Up }),
+    ("halton+permutation", Style { role: Role::Vermilion, dash: Dash::DashDot, marker: Marker::Plus }),
+    ("halton+faure-permutation", Style { role: Role::Ochre, dash: Dash::DashDot, marker: Marker::Ring }),
+    ("sobol+cranley-patterson", Style { role: Role::Teal, dash: Dash::DashDot, marker: Marker::Cross }),
+    ("sobol+owen-hash", Style { role: Role::Green, dash: Dash::Dashed, marker: Marker::Plus }),
+    ("sobol+linear", Style { role: Role::Slate, dash: Dash::Long, marker: Marker::Plus }),
+    ("sobol+permutation", Style { role: Role::Purple, dash: Dash::Long, marker: Marker::Cross }),
+    ("larcher-pillichshammer+xor", Style { role: Role::Violet, dash: Dash::Solid, marker: Marker::Cross }),
+    ("zero-two+xor", Style { role: Role::Blue, dash: Dash::DashDotDot, marker: Marker::Ring }),
 ];
 
 impl Style {
@@ -217,6 +247,19 @@ impl Style {
     pub const MUTED: Self = Self::new(Role::Muted);
     /// What the figure points at.
     pub const ACCENT: Self = Self::new(Role::Accent);
+    /// The colours of series.
+    const SERIES: [Role; 10] = [
+        Role::Vermilion,
+        Role::Ochre,
+        Role::Purple,
+        Role::Teal,
+        Role::Green,
+        Role::Blue,
+        Role::Violet,
+        Role::Wine,
+        Role::Slate,
+        Role::Olive,
+    ];
 
     /// A solid line and discs.
     pub const fn new(role: Role) -> Self {
@@ -238,10 +281,11 @@ impl Style {
     }
 
     /// The style of a method, by the name that chapters use: the same through the whole book. A name without one of its own
-    /// gets one that follows from its letters alone, so that no other method's style depends on it.
+    /// gets one that follows from its letters alone, so that no other method's style depends on it; its line looks like none
+    /// of those that have their own.
     pub fn of(method: &str) -> Self {
-        const ROLES: [Role; 6] = [Role::Slate, Role::Olive, Role::Wine, Role::Teal, Role::Purple, Role::Ochre];
-        const DASHES: [Dash; 5] = [Dash::Long, Dash::DashDotDot, Dash::Dotted, Dash::Dashed, Dash::DashDot];
+        const DASHES: [Dash; 6] =
+            [Dash::Solid, Dash::Dashed, Dash::Dotted, Dash::DashDot, Dash::Long, Dash::DashDotDot];
         // Open shapes: the methods with a style of their own mostly have filled ones.
         const MARKERS: [Marker; 3] = [Marker::Ring, Marker::Cross, Marker::Plus];
         if let Some((_, style)) = SAMPLERS.iter().find(|row| row.0 == method) {
@@ -250,14 +294,12 @@ impl Style {
         let hash = method
             .bytes()
             .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
-        let style = |turn: u32| {
-            let hash = hash.rotate_left(turn);
-            let pick = |shift: u32, count: usize| ((hash >> shift) % count as u64) as usize;
-            Self { role: ROLES[pick(7, 6)], dash: DASHES[pick(23, 5)], marker: MARKERS[pick(41, 3)] }
-        };
-        // Never the style of another method.
-        let free = |style: &Self| SAMPLERS.iter().all(|row| row.1 != *style);
-        (0..64).map(style).find(free).unwrap_or_else(|| style(0))
+        let pick = |shift: u32, count: usize| ((hash >> shift) % count.max(1) as u64) as usize;
+        let lines = Self::SERIES.iter().flat_map(|&role| DASHES.map(|dash| Self::new(role).dash(dash)));
+        let taken = |line: &Self| SAMPLERS.iter().any(|row| (row.1.role, row.1.dash) == (line.role, line.dash));
+        let free: Vec<Self> = lines.filter(|line| !taken(line)).collect();
+        let line = free.get(pick(7, free.len())).copied().unwrap_or(Self::MUTED);
+        line.marker(MARKERS[pick(41, MARKERS.len())])
     }
 
     /// The style of the `index`-th of several series that are no methods, e.g. integrands or counts.
@@ -288,7 +330,9 @@ pub fn css() -> String {
     }
     css += ".chart{display:block;max-width:100%;height:auto;margin-inline:auto;font-family:var(--chart-font,Helvetica,Arial,sans-serif)}\n\
             .chart .m{font-family:var(--chart-math,Georgia,\"Times New Roman\",serif)}\n\
-            @media screen and (max-width:30em){.chart{font-size:16.5px}}\n";
+            .chart.named{min-width:min(30rem,var(--width,30rem))}\n\
+            @media screen and (max-width:30em){.chart{font-size:16.5px}}\n\
+            @media print{.chart.named{min-width:0}}\n";
     css
 }
 

@@ -156,6 +156,21 @@ impl Table {
         self
     }
 
+    /// Without the columns in which no row has anything; those that name rows stay.
+    #[must_use]
+    pub fn without_empty_columns(mut self) -> Self {
+        let filled =
+            |column: usize| self.rows.iter().any(|row| row.get(column).is_some_and(|cell| *cell != Cell::Empty));
+        let kept: Vec<bool> = (0..self.columns.len()).map(|column| column < self.row_heads || filled(column)).collect();
+        let keep = |index: &usize| kept.get(*index).copied().unwrap_or(true);
+        self.columns =
+            self.columns.into_iter().enumerate().filter(|(i, _)| keep(i)).map(|(_, column)| column).collect();
+        for row in &mut self.rows {
+            *row = std::mem::take(row).into_iter().enumerate().filter(|(i, _)| keep(i)).map(|(_, cell)| cell).collect();
+        }
+        self
+    }
+
     /// The cells as printed: tabs between columns, lines between rows.
     pub fn text(&self) -> String {
         let heads = self.columns.iter().map(|column| column.head.clone()).collect::<Vec<_>>().join("\t");
@@ -182,6 +197,13 @@ mod tests {
         assert_eq!(Cell::estimate(1.5, f64::NAN).printed(), "1.50000");
         assert_eq!(Cell::fixed(-1.0, 1).printed(), "−1.0");
         assert_eq!(Cell::from(100_000_usize).printed(), "100\u{2009}000");
+    }
+
+    #[test]
+    fn columns_without_values_can_be_left_out() {
+        let table = Table::new(vec![Column::left("n"), Column::right("a"), Column::right("b")]);
+        let table = table.row([Cell::Empty, Cell::Empty, Cell::from(1_usize)]).without_empty_columns();
+        assert_eq!(table.text(), "n\tb\n\t1");
     }
 
     #[test]

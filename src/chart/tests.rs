@@ -117,3 +117,63 @@ fn extremes_are_drawn_or_refused() {
     let wide = chart(Line::new(vec![(-f64::MAX, 0.0), (f64::MAX, 1.0)])).draw(&sheet());
     assert!(matches!(wide, Err(ChartError::Range { .. })));
 }
+
+/// Where the text `words` stands: its y, in units.
+fn height_of(svg: &str, words: &str) -> f64 {
+    let line = svg.lines().find(|line| line.starts_with("<text") && line.contains(&format!(">{words}<"))).unwrap();
+    line.split_once(" y=\"").unwrap().1.split_once('"').unwrap().0.parse().unwrap()
+}
+
+/// A panel with a line for each height, which it says at its end.
+fn tailed(heights: &[f64]) -> Panel {
+    let line = |&height: &f64| {
+        let name = format!("line {height}");
+        Line::new(vec![(1.0, height), (2.0, height)]).label(name.as_str()).tail(format!("tail {height}").as_str())
+    };
+    Panel::new(Axis::linear("*x*"), Axis::linear("*y*").range(0.0, 10.0)).with_all(heights.iter().map(line))
+}
+
+#[test]
+fn words_at_the_ends_of_lines_are_all_there_and_apart() {
+    let heights = [5.0, 5.01, 5.02, 9.0];
+    let figure = Chart::grid(vec![tailed(&heights), tailed(&heights[..1])]).draw(&sheet()).unwrap();
+    well_formed(&figure.svg);
+    let mut places: Vec<f64> = heights.iter().map(|h| height_of(&figure.svg, &format!("tail {h}"))).collect();
+    places.sort_by(f64::total_cmp);
+    assert!(places.windows(2).all(|two| two[1] - two[0] > 14.0), "{places:?}");
+}
+
+#[test]
+fn the_key_takes_the_place_that_the_last_row_leaves_free() {
+    let panels = || (0..3).map(|_| tailed(&[1.0, 2.0])).collect();
+    let (held, above) = (Chart::grid(panels()), Chart::grid(panels()).key(Key::Above));
+    let (held, above) = (held.draw(&sheet()).unwrap(), above.draw(&sheet()).unwrap());
+    well_formed(&held.svg);
+    assert!(held.height < above.height && height_of(&above.svg, "line 1") < 30.0);
+    assert!(height_of(&held.svg, "line 1") > held.height / 2.0);
+}
+
+#[test]
+fn what_leads_from_a_short_line_to_its_name_does_not_look_like_it() {
+    let long = Line::new(vec![(0.0, 0.0), (10.0, 1.0)]).style(Style::of("sobol")).label("long");
+    let short = Line::new(vec![(0.0, 1.0), (5.0, 2.0)]).style(Style::of("halton")).label("short");
+    let dotted = |layers: Vec<Line>| {
+        let panel = Panel::new(Axis::linear("*x*"), Axis::linear("*y*")).with_all(layers);
+        let figure = Chart::new(panel).draw(&sheet()).unwrap();
+        figure.svg.lines().filter(|line| line.contains("s-muted") && line.contains("dasharray")).count()
+    };
+    assert_eq!((dotted(vec![long.clone()]), dotted(vec![long, short])), (0, 1));
+}
+
+#[test]
+fn the_line_of_an_axis_can_begin_later_than_its_panel() {
+    let axis = || Axis::linear("").range(-1.0, 1.0);
+    let first = |x: Axis| {
+        let panel = Panel::new(x, axis().hidden()).with(Marks::new(vec![(0.5, 0.5)]));
+        let svg = Chart::new(panel).draw(&sheet()).unwrap().svg;
+        let line = svg.lines().find(|line| line.contains("s-axis")).unwrap();
+        let start = line.split_once(" d=\"M").unwrap().1;
+        start.split_once(' ').unwrap().0.parse::<f64>().unwrap()
+    };
+    assert!(first(axis().from(0.0)) > first(axis()) + 100.0);
+}

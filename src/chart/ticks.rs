@@ -66,9 +66,14 @@ pub(super) fn decades(low: f64, high: f64, count: usize) -> Vec<Tick> {
     ticks
 }
 
-/// Ticks on an axis of logarithms to base 2, in powers of two.
+/// Ticks on an axis of logarithms to base 2, in powers of two; plain ones where there is no power.
 pub(super) fn binary(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let (first, last) = ((low - 1e-9).ceil() as i32, (high + 1e-9).floor() as i32);
+    if first > last {
+        let value = |at: f64| portable::pow(2.0, at);
+        let plain = linear(value(low), value(high), count).into_iter();
+        return plain.map(|tick| Tick { at: portable::log2(tick.at), ..tick }).collect();
+    }
     let stride = (last - first + 1).max(1).cast_unsigned().div_ceil(count.max(1) as u32).cast_signed();
     let tick = |exponent: i32| {
         let label = (exponent.rem_euclid(stride) == 0).then(|| Rich::power("2", exponent));
@@ -157,6 +162,14 @@ mod tests {
         assert_eq!(labels(&decades(-12.0, 0.0, 5)), ["10^−12", "10^−9", "10^−6", "10^−3", "10^0"]);
         assert_eq!(labels(&decades(-0.1, 0.8, 5)), ["1", "2", "5"]);
         assert_eq!(labels(&binary(4.0, 14.0, 6)), ["2^4", "2^6", "2^8", "2^10", "2^12", "2^14"]);
+    }
+
+    #[test]
+    fn between_two_powers_of_two_ticks_are_plain() {
+        let (low, high) = (portable::log2(576.0), portable::log2(676.0));
+        let ticks = binary(low, high, 4);
+        assert_eq!(labels(&ticks), ["600", "650"]);
+        assert!(ticks.iter().all(|tick| (low..=high).contains(&tick.at)));
     }
 
     #[test]

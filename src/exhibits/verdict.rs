@@ -6,7 +6,7 @@ use crate::diag::{Code, Diagnostic, Place};
 use crate::integrands::Calculation;
 use crate::kinds::{Measured, Value, Values};
 use crate::parameters::inside;
-use crate::plan::{Amount, Bound, Exhibit, Format, Literal, Settled, escape, minus};
+use crate::plan::{Amount, Bound, Exhibit, Format, Literal, Other, Settled, escape, minus};
 
 /// Whether one bound holds of one value.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,7 +88,11 @@ fn settle(
         Bound::Holds(expected) => Bound::Holds(*expected),
         Bound::Agrees { with, within } => {
             let within = number(within)?;
-            Bound::Agrees { with: with.clone(), within: distance(within, bound, exhibit, diagnostics)? }
+            let with = match with {
+                Other::Value(name) => Other::Value(name.clone()),
+                Other::Number(amount) => Other::Number(number(amount)?),
+            };
+            Bound::Agrees { with, within: distance(within, bound, exhibit, diagnostics)? }
         }
     })
 }
@@ -175,9 +179,20 @@ fn holds(bound: &Bound<Settled>, measured: &Measured, values: &Values) -> Result
     }
 }
 
-fn agrees(number: f64, standard_error: Option<f64>, with: &str, within: f64, values: &Values) -> Result<bool, String> {
-    let other =
-        values.get(with).and_then(Measured::number).ok_or_else(|| format!("the exhibit gives no number `{with}`"))?;
+fn agrees(
+    number: f64,
+    standard_error: Option<f64>,
+    with: &Other<Settled>,
+    within: f64,
+    values: &Values,
+) -> Result<bool, String> {
+    let other = match with {
+        Other::Number(other) => other.number,
+        Other::Value(name) => {
+            let other = values.get(name).and_then(Measured::number);
+            other.ok_or_else(|| format!("the exhibit gives no number `{name}`"))?
+        }
+    };
     let error = standard_error.ok_or("the value has no standard error, so `agrees` says nothing; use `near`")?;
     Ok((number - other).abs() <= within * error)
 }
@@ -205,7 +220,12 @@ impl Verdict {
             Bound::Equals(Literal::Text(text)) => format!("equals {text}"),
             Bound::Holds(true) => "holds".to_owned(),
             Bound::Holds(false) => "does not hold".to_owned(),
-            Bound::Agrees { with, within } => format!("within {within} standard errors of `{with}`"),
+            Bound::Agrees { with: Other::Value(name), within } => {
+                format!("within {within} standard errors of `{name}`")
+            }
+            Bound::Agrees { with: Other::Number(number), within } => {
+                format!("within {within} standard errors of {number}")
+            }
         }
     }
 
@@ -216,30 +236,88 @@ impl Verdict {
                 let (near, far) = (near(target, within.number), tolerance(within));
                 format!("{}\u{202f}±\u{202f}{}", titled(target, &near), titled(within, &far))
             }
-            Bound::Below(limit) => format!("below {}", alone(limit)),
-            Bound::Above(limit) => format!("above {}", alone(limit)),
-            Bound::Equals(Literal::Number(number) | Literal::Either(_, number)) => format!("equals {}", alone(number)),
+            Bound::Below(limit) => format!("below {}", alone(limit, self.digits())),
+            Bound::Above(limit) => format!("above {}", alone(limit, self.digits())),
+            Bound::Equals(Literal::Number(number) | Literal::Either(_, number)) => {
+                format!("equals {}", titled(number, &telling(number.number)))
+            }
             Bound::Agrees { with, within } => {
-                format!("within {} standard errors of <code>{}</code>", alone(within), escape(with))
+                let with = match with {
+                    Other::Value(name) => format!("<code>{}</code>", escape(name)),
+                    Other::Number(number) => alone(number, 5),
+                };
+                format!("within {} standard errors of {with}", alone(within, 5))
             }
             Bound::Equals(Literal::Text(_)) | Bound::Holds(_) => escape(&self.bound_text()),
         }
     }
 
-    /// What was measured, as a reader sees it: as many digits as the bound and the standard error give a meaning to.
+    /// What was measured, as a reader sees it: as many digits as the bound and the standard error give a meaning to, and at least
+    /// as many as show that the claim is true.
     pub fn measured_html(&self) -> String {
-        let format = match (&self.measured.value, self.measured.standard_error, &self.bound) {
-            (Value::Number(_), Some(error), _) if error > 0.0 && error.is_finite() => {
-                Format::WithError(decimals(error))
+        let Value::Number(value) = self.measured.value else { return Format::Shortest.write(&self.measured) };
+        if let Some(error) = self.measured.standard_error.filter(|error| *error > 0.0 && error.is_finite()) {
+            return with_error(value, error);
+        }
+        if value.fract() == 0.0 && value.abs() < 1e15 {
+            return number::integer(value as i64);
+        }
+        match &self.bound {
+            Bound::Near { within, .. } if within.number > 0.0 && decimals(within.number) <= FINE => {
+                number::fixed(value, decimals(within.number))
             }
-            (Value::Number(_), _, Bound::Near { within, .. }) if within.number > 0.0 => {
-                Format::Decimals(decimals(within.number))
-            }
-            (Value::Number(_), _, _) => Format::Significant(4),
-            _ => Format::Shortest,
-        };
-        format.write(&self.measured)
+            Bound::Near { .. } => number::significant(value, 6),
+            Bound::Equals(_) => telling(value),
+            _ => number::significant(value, self.digits().max(4)),
+        }
     }
+
+    /// With how many digits the value and its limit are shown, so that what is shown is true where they are.
+    fn digits(&self) -> usize {
+        let (Some(value), Bound::Below(limit) | Bound::Above(limit)) = (self.measured.number(), &self.bound) else {
+            return 5;
+        };
+        let shown = |number: f64, digits: usize| format!("{number:.*e}", digits - 1).parse::<f64>().unwrap_or(number);
+        let told = |digits: usize| {
+            let limit_shown = if is_whole(limit) { limit.number } else { shown(limit.number, digits.max(5)) };
+            let value_shown = shown(value, digits);
+            value_shown.partial_cmp(&limit_shown) == value.partial_cmp(&limit.number)
+        };
+        (4..17).find(|&digits| told(digits)).unwrap_or(17)
+    }
+}
+
+/// Whether a limit is shown with all of its digits.
+fn is_whole(limit: &Settled) -> bool {
+    limit.expression.is_none() || short(limit.number).is_some()
+}
+
+/// More decimals than this are hard to count.
+const FINE: usize = 12;
+
+/// A value and its standard error to two digits of the error; with one power of ten for both where they are small.
+fn with_error(value: f64, error: f64) -> String {
+    let both = |scale: f64, places: usize| {
+        format!("{}\u{202f}±\u{202f}{}", number::fixed(value / scale, places), number::fixed(error / scale, places))
+    };
+    let exponent = |number: f64| number::parts(number, 2).1;
+    let most = if value.abs() > error { exponent(value) } else { exponent(error) };
+    if most >= -4 && decimals(error) <= FINE {
+        return both(1.0, decimals(error));
+    }
+    let scale = format!("1e{most}").parse().unwrap_or(1.0);
+    format!("({})\u{2009}×\u{2009}10{}", both(scale, decimals(error / scale)), number::raised(most))
+}
+
+/// A number with as many digits as tell it from a rounder one: 4, and two more of what 4 leave out.
+fn telling(value: f64) -> String {
+    if let Some(text) = short(value) {
+        return text;
+    }
+    let round = format!("{value:.3e}").parse::<f64>().unwrap_or(value);
+    let rest = (value - round).abs();
+    let digits = number::parts(value, 4).1 - number::parts(rest, 2).1 + 2;
+    number::significant(value, usize::try_from(digits).unwrap_or(4).clamp(4, 17))
 }
 
 /// The longest number that is shown as it is.
@@ -264,11 +342,11 @@ fn tolerance(within: &Settled) -> String {
     })
 }
 
-/// A number that stands alone: as it was written, or to some digits if it was computed.
-fn alone(settled: &Settled) -> String {
+/// A number that stands alone: as it was written, or to at least five digits if it was computed.
+fn alone(settled: &Settled, digits: usize) -> String {
     let text = match settled.expression {
         None => minus(&settled.number.to_string()),
-        Some(_) => short(settled.number).unwrap_or_else(|| number::significant(settled.number, 5)),
+        Some(_) => short(settled.number).unwrap_or_else(|| number::significant(settled.number, digits.max(5))),
     };
     titled(settled, &text)
 }
@@ -290,9 +368,9 @@ fn decimals(error: f64) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{agrees, decimals, fits, holds};
+    use super::{Verdict, agrees, decimals, fits, holds};
     use crate::kinds::{Measured, Value, Values};
-    use crate::plan::{Bound, Literal, Settled};
+    use crate::plan::{Bound, Literal, Other, Settled};
 
     fn number(number: f64) -> Measured {
         Measured { value: Value::Number(number), standard_error: None }
@@ -326,10 +404,46 @@ mod tests {
     fn agreement_needs_a_standard_error_and_another_value() {
         let mut values = Values::new();
         values.number("exact", 1.0);
-        assert_eq!(agrees(1.3, Some(0.1), "exact", 4.0, &values), Ok(true));
-        assert_eq!(agrees(1.5, Some(0.1), "exact", 4.0, &values), Ok(false));
-        assert!(agrees(1.0, None, "exact", 4.0, &values).is_err());
-        assert!(agrees(1.0, Some(0.1), "exakt", 4.0, &values).is_err());
+        let with = |name: &str| Other::Value(name.to_owned());
+        assert_eq!(agrees(1.3, Some(0.1), &with("exact"), 4.0, &values), Ok(true));
+        assert_eq!(agrees(1.5, Some(0.1), &with("exact"), 4.0, &values), Ok(false));
+        assert!(agrees(1.0, None, &with("exact"), 4.0, &values).is_err());
+        assert!(agrees(1.0, Some(0.1), &with("exakt"), 4.0, &values).is_err());
+        assert_eq!(agrees(1.3, Some(0.1), &Other::Number(settled(1.6)), 4.0, &values), Ok(true));
+        assert_eq!(agrees(1.3, Some(0.1), &Other::Number(settled(1.8)), 4.0, &values), Ok(false));
+    }
+
+    fn shown(value: f64, standard_error: Option<f64>, bound: Bound<Settled>) -> (String, String) {
+        let measured = Measured { value: Value::Number(value), standard_error };
+        let verdict = Verdict { value: "x".to_owned(), claim: (0, 0), measured, bound, holds: true };
+        let bound = verdict.bound_html();
+        let bare =
+            |text: &str| text.split_once('>').map_or(text, |(_, rest)| rest.trim_end_matches("</span>")).to_owned();
+        (verdict.measured_html(), bare(&bound))
+    }
+
+    #[test]
+    fn what_is_shown_of_a_true_claim_is_true() {
+        let computed = |number: f64| Settled { number, expression: Some("x".to_owned()) };
+        let equals = |number: Settled| Bound::Equals(Literal::Number(number));
+        let pi = std::f64::consts::PI;
+        assert_eq!(shown(pi, None, equals(settled(pi))).0, "3.14159");
+        let close = 1.0 - 1.0 / f64::from(1 << 24);
+        let (measured, bound) = shown(close, None, equals(computed(close)));
+        assert_eq!((measured.as_str(), bound.as_str()), ("0.999999940", "0.999999940"));
+        assert_eq!(shown(0.999_96, None, Bound::Below(settled(1.0))).0, "0.99996");
+        assert_eq!(shown(2.0 / 3.0, None, Bound::Above(settled(0.66665))).0, "0.6667");
+        let near = computed(0.333_333_333_3);
+        assert_eq!(shown(1.0 / 3.0, None, Bound::Above(near)).0, "0.33333333333");
+        assert_eq!(shown(256.0, None, equals(settled(256.0))).0, "256");
+    }
+
+    #[test]
+    fn small_values_have_digits() {
+        let near = || Bound::Near { target: settled(0.0), within: settled(1e-9) };
+        assert_eq!(shown(3.04e-17, Some(2.9e-12), near()).0, "(0.0\u{202f}±\u{202f}2.9)\u{2009}×\u{2009}10⁻¹²");
+        assert_eq!(shown(3.04e-7, Some(2.9e-9), near()).0, "(3.040\u{202f}±\u{202f}0.029)\u{2009}×\u{2009}10⁻⁷");
+        assert_eq!(shown(0.3331, Some(0.0021), near()).0, "0.3331\u{202f}±\u{202f}0.0021");
     }
 
     #[test]

@@ -301,12 +301,13 @@ mod drawing {
         let axis = || Axis::linear("").range(-reach, side + reach).ticks_at(Vec::new()).hidden();
         let joint = |board: usize| Rule::horizontal(board as f64).style(Style::MUTED);
         let mut panel = Panel::new(axis(), axis()).equal().with_all((0..=p.boards).map(joint));
-        for (crosses, style, name) in
-            [(false, Style::INK, "between the joints"), (true, Style::ACCENT, "across a joint")]
+        // Told apart by their width too, not by colour alone.
+        for (crosses, style, width, name) in
+            [(false, Style::INK, 1.2, "between the joints"), (true, Style::ACCENT, 2.8, "across a joint")]
         {
             let lines = data.needles.iter().filter(|needle| needle.crosses == crosses);
             for (index, needle) in lines.enumerate() {
-                let line = Line::new(vec![needle.from, needle.to]).style(style).width(2.0);
+                let line = Line::new(vec![needle.from, needle.to]).style(style).width(width);
                 panel = panel.with(if index == 0 { line.label(name) } else { line });
             }
         }
@@ -318,7 +319,7 @@ mod drawing {
             Column::right("$N$"),
             Column::right("Crossings"),
             Column::left("Estimate of $\\pi$"),
-            Column::left("Error"),
+            Column::right("Error"),
             Column::right("$z$"),
         ]);
         for &row in &data.rows {

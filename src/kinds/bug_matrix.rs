@@ -226,7 +226,7 @@ mod drawing {
             }));
             table.push(cells);
         }
-        let mut cells = vec![Cell::text("none: the right programs")];
+        let mut cells = vec![Cell::text("right programs")];
         cells.extend(Test::ALL.map(|test| {
             let failing = data.batteries.iter().filter(|battery| verdict(battery, test, Form::Right) != "–").count();
             Cell::text(if failing == 0 { "–".to_owned() } else { format!("{failing} fail") })

@@ -143,7 +143,13 @@ impl Kind for ConvergenceKind {
         let all = estimates_of_all(ABOUT.key, asked, &p.samplers, p.n.as_slice(), p.replicates, seed)?;
         let all = p.integrands.iter().zip(all).map(|(integrand, all)| errors(p, integrand, all));
         let mut all = all.collect::<Result<Vec<_>, _>>()?;
-        check_errors(p, &all)?;
+        if !all.iter().any(Errors::any) {
+            // One integrand among several may be estimated exactly.
+            let of =
+                p.integrands.iter().map(|integrand| format!("`{}`", integrand.text())).collect::<Vec<_>>().join(", ");
+            let message = format!("every estimate of {of} is exact: there is no error to follow");
+            return Err(Failure::of("integrand", message).help("choose an integrand that varies"));
+        }
         let rest = all.split_off(1.min(all.len()));
         let first = all.pop().ok_or_else(|| Failure::of("integrands", "there is no integrand"))?;
         Ok(Data { first, more: Rest(rest) })
@@ -241,16 +247,6 @@ fn errors(p: &Convergence, integrand: &Function, all: Vec<Vec<Vec<f64>>>) -> Res
     Ok(Errors { exact: exact.value, variance: integrand.variance(d), curves })
 }
 
-/// Refuses a study in which there is no error at all; one integrand among several may be estimated exactly.
-fn check_errors(p: &Convergence, all: &[Errors]) -> Result<(), Failure> {
-    if all.iter().any(Errors::any) {
-        return Ok(());
-    }
-    let names: Vec<String> = p.integrands.iter().map(|integrand| format!("`{}`", integrand.text())).collect();
-    let message = format!("every estimate of {} is exact: there is no error to follow", names.join(", "));
-    Err(Failure::of("integrand", message).help("choose an integrand that varies"))
-}
-
 impl Errors {
     /// Whether there is any error to follow.
     fn any(&self) -> bool {
@@ -328,7 +324,7 @@ mod drawing {
 
     use super::{Convergence, Curve, Data, Errors, Mark, extremes, is_power};
     use crate::chart::number::{fixed, integer, shortest, significant};
-    use crate::chart::{Axis, Chart, ChartError, Corner, Drawing, Layer, Line, Marks, Note, Panel, Rich, Sheet, Style};
+    use crate::chart::{Axis, Chart, ChartError, Dash, Drawing, Layer, Line, Marks, Panel, Rich, Sheet, Style};
     use crate::integrands::Function;
 
     pub(super) fn draw(p: &Convergence, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -339,21 +335,17 @@ mod drawing {
             let panel = Panel::new(Axis::log2("*N*"), Axis::log(title)).with_all(references(p, errors));
             let panel = panel.with_all(errors.curves.iter().flat_map(|curve| line(p, curve, several)));
             match p.integrands.get(index) {
-                Some(integrand) if several && errors.any() => panel.title(name(integrand)).with_all(notes(errors)),
-                Some(integrand) if several => panel.title(Rich::plain(&format!("{}: exact", title_of(integrand)))),
+                Some(integrand) if several => panel.title(name(integrand, errors)),
                 _ => panel.ratio(0.62),
             }
         };
         Ok(Chart::grid(data.all().enumerate().map(panel).collect()).draw(sheet)?.into())
     }
 
-    /// An integrand's title, or its formula as it was written.
-    fn name(integrand: &Function) -> Rich {
-        Rich::plain(title_of(integrand))
-    }
-
-    fn title_of(integrand: &Function) -> &str {
-        integrand.abouts().first().map_or(integrand.text(), |about| about.title)
+    /// An integrand's title, or its formula as it was written, and whether there is no error to draw.
+    fn name(integrand: &Function, errors: &Errors) -> Rich {
+        let title = integrand.abouts().first().map_or(integrand.text(), |about| about.title);
+        Rich::plain(&format!("{title}{}", if errors.any() { "" } else { ": exact" }))
     }
 
     /// The errors of one sampler, without those that have no place on a logarithmic axis.
@@ -368,6 +360,10 @@ mod drawing {
         };
         let style = Style::of(&curve.method);
         let line = Line::new(through(&|_| true)).style(style).label(label);
+        let line = match curve.fit {
+            Some((slope, ..)) if several => line.tail(fixed(slope, 2)),
+            _ => line,
+        };
         match p.powers {
             None => vec![line.marked().into()],
             Some(base) => {
@@ -377,19 +373,8 @@ mod drawing {
         }
     }
 
-    /// The slopes above the middles of the lines, where they stand apart.
-    fn notes(errors: &Errors) -> Vec<Note> {
-        let middle = |curve: &Curve| {
-            let shown: Vec<&Mark> = curve.marks.iter().filter(|mark| mark.resolved).collect();
-            shown.get(shown.len() / 2).map(|mark| (mark.n as f64, mark.rmse))
-        };
-        let places: Vec<((f64, f64), f64)> =
-            errors.curves.iter().filter_map(|curve| Some((middle(curve)?, curve.fit?.0))).collect();
-        let far = |a: f64, b: f64| a / b > 1.8 || b / a > 1.8;
-        let apart = |at: f64, index: usize| places.iter().take(index).all(|((_, other), _)| far(at, *other));
-        let alone = places.iter().enumerate().filter(|(index, ((_, at), _))| apart(*at, *index));
-        alone.map(|(_, (at, slope))| Note::new(*at, fixed(*slope, 2)).corner(Corner::AboveRight)).collect()
-    }
+    /// How the reference slopes are broken, in the order in which they are asked for.
+    const BROKEN: [Dash; 5] = [Dash::Dashed, Dash::Dotted, Dash::DashDot, Dash::Long, Dash::DashDotDot];
 
     /// The reference slopes: that of independent samples at its predicted height, the others through the first error.
     fn references(p: &Convergence, errors: &Errors) -> Vec<Line> {
@@ -398,11 +383,13 @@ mod drawing {
         let start = errors.curves.iter().filter_map(|curve| curve.marks.first()).filter(|mark| mark.resolved);
         let highest = start.map(|mark| mark.rmse).max_by(f64::total_cmp);
         let predicted = errors.variance.map(|variance| (variance / x0).sqrt()).filter(|height| *height > 0.0);
-        let reference = |&slope: &f64| {
+        let reference = |(&slope, dash): (&f64, Dash)| {
             let height = if slope == -0.5 { predicted.or(highest) } else { highest.or(predicted) };
-            height.map(|height| Line::power(x0, height, slope, x1).label(format!("slope {}", shortest(slope))))
+            let line = |height| Line::power(x0, height, slope, x1).style(Style::THEORY.dash(dash));
+            height.map(|height| line(height).label(format!("slope {}", shortest(slope))))
         };
-        if first == last { Vec::new() } else { p.slopes.iter().filter_map(reference).collect() }
+        let broken = p.slopes.iter().zip(BROKEN.into_iter().cycle());
+        if first == last { Vec::new() } else { broken.filter_map(reference).collect() }
     }
 
     pub(super) fn alt(p: &Convergence, data: &Data) -> Option<String> {

@@ -188,7 +188,7 @@ mod drawing {
         let common = data.denominator / place as u64;
         let so_far = format!("${} / {place}$", sum / common.max(1));
         let end = if moved == data.digits.len() { format!(": $\\Phi_{{{base}}}({n})$") } else { " so far".to_owned() };
-        format!("Digit {last}, a {}, adds ${}/{place}$. The sum is {so_far}{end}.", written(digit), digit)
+        format!("$a_{{{moved}}} = {}$ adds ${}/{place}$. The sum is {so_far}{end}.", written(digit), digit)
     }
 
     pub(super) fn alt(p: &DigitSteps, data: &Data) -> String {

@@ -160,9 +160,11 @@ mod drawing {
         panel = panel.with(boxes).with(Line::new(curve.collect()).label("*f*(*x*)"));
         panel = panel.with_all(data.exact.map(|exact| Rule::horizontal(exact).style(Style::EXACT).label("exact")));
         panel = panel.with(Rule::horizontal(estimate).style(Style::ACCENT).label("mean"));
-        if samples.len() <= 32 {
+        // As many as can be told apart; more of them are smaller.
+        if samples.len() <= 128 {
+            let width = if samples.len() <= 32 { 5.0 } else { 3.5 };
             let feet = samples.iter().map(|&(x, y)| [(x, y), (x, y)]).collect();
-            panel = panel.with(Segments::new(feet).width(5.0).style(Style::ACCENT));
+            panel = panel.with(Segments::new(feet).width(width).style(Style::ACCENT));
         }
         panel
     }

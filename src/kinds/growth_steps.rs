@@ -138,10 +138,10 @@ mod drawing {
         let style = |index: usize| Style::new(QUARTERS[(index / quarter).min(3)]).marker(Marker::Disc);
         let size = if most > 64 { 6.0 } else { 8.0 };
         let mut panel = Panel::unit_square().keeping(Strata::slabs(most as u32));
-        // The key is the same in all steps.
+        // The key is the same in all steps; it names the indices, which begin at 0.
         for first in (0..most).step_by(quarter) {
-            let last = (first + quarter).min(most);
-            let label = if last == first + 1 { last.to_string() } else { format!("{}–{last}", first + 1) };
+            let last = (first + quarter).min(most) - 1;
+            let label = if last == first { format!("*i* = {last}") } else { format!("*i* = {first}–{last}") };
             panel = panel.with(Marks::new(Vec::new()).style(style(first)).label(label));
         }
         let Some(step) = steps.last() else { return panel };
@@ -183,7 +183,7 @@ mod drawing {
             (true, 1, Some(_)) => String::new(),
             (true, more, Some(_)) => format!(" {more} more points."),
             (false, _, Some(_)) => " All points are new.".to_owned(),
-            (_, _, None) => format!(" {}.", p.sampler.title()),
+            (_, _, None) => format!(" The points are those of {}.", p.sampler.title()),
         };
         format!("$N = {n}$: star discrepancy {}.{what}", fixed(step.star, 4))
     }

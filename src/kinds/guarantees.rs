@@ -285,7 +285,7 @@ mod drawing {
     fn cell(held: &Held, seeds: u32) -> Cell {
         let Some(count) = held.count else { return Cell::Empty };
         let text = match (held.declared, count) {
-            (true, count) if count == seeds => "declared".to_owned(),
+            (true, count) if count == seeds => "as declared".to_owned(),
             (false, count) if count == seeds => "yes".to_owned(),
             (false, 0) => "no".to_owned(),
             (false, count) => format!("{count} of {seeds}"),

@@ -243,7 +243,8 @@ mod drawing {
 
     pub(super) fn draw(p: &Histogram, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let panels: Vec<Panel> = data.panels.iter().map(|one| panel(data, one, p)).collect();
-        let columns = if panels.len() == 1 { 1 } else { 2 };
+        // Three in one row, so that none stands alone in a second.
+        let columns = if panels.len() == 3 { 3 } else { panels.len().min(2) };
         Ok(Chart::grid(panels).columns(columns).key(Key::Above).draw(sheet)?.into())
     }
 

@@ -221,7 +221,7 @@ mod drawing {
             let count = several.then(|| Cell::Integer(n as i64));
             table.push(head.into_iter().chain(count).chain(cells(p, row)));
         }
-        Drawing::Table(table)
+        Drawing::Table(table.without_empty_columns())
     }
 
     fn cells(p: &MeasureTable, row: &Row) -> Vec<Cell> {

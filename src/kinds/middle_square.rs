@@ -266,7 +266,7 @@ mod drawing {
             Show::Runs => Ok(Chart::new(runs(p, data)).draw(sheet)?.into()),
             Show::Cycles => Ok(Drawing::Table(cycles(p, data))),
             Show::Pairs => {
-                let style = Style::new(Role::Accent);
+                let style = Style::new(Role::Blue);
                 let old =
                     pairs(&data.old, style).title(format!("Middle squares from {}", written(data.start, p.digits)));
                 let modern = pairs(&data.modern, Style::of("independent")).title("A modern generator");
@@ -294,9 +294,26 @@ mod drawing {
             .with(Line::new(vec![(data.mean(), 0.0), (data.mean(), 1.05 * top)]).style(Style::EXACT).label("mean"))
     }
 
+    /// Successive pairs, each where it is once; those that come again and again are larger.
     fn pairs(numbers: &[f64], style: Style) -> Panel {
-        let pairs = numbers.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.last()?))).collect();
-        Panel::unit_square().with(Marks::new(pairs).style(style))
+        let mut pairs: Vec<(f64, f64)> =
+            numbers.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.last()?))).collect();
+        let count = pairs.len();
+        pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        let hits: Vec<(usize, (f64, f64))> =
+            pairs.chunk_by(|a, b| a == b).filter_map(|same| Some((same.len(), *same.first()?))).collect();
+        let mut panel = Panel::unit_square();
+        // From how often on, and how large.
+        for (least, most, size) in [(1, 1, None), (2, 9, Some(4.5)), (10, 99, Some(7.0)), (100, usize::MAX, Some(10.0))]
+        {
+            let hit = hits.iter().filter(|(hits, _)| (least..=most).contains(hits)).map(|(_, at)| *at);
+            let marks = Marks::new(hit.collect()).style(style).among(count);
+            panel = panel.with(match size {
+                Some(size) => marks.size(size),
+                None => marks,
+            });
+        }
+        panel
     }
 
     fn cycles(p: &MiddleSquare, data: &Data) -> Table {

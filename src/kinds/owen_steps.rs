@@ -134,8 +134,8 @@ mod drawing {
 
     use super::{Data, METHOD, OwenSteps};
     use crate::chart::{
-        Axis, Boxes, Chart, ChartError, Corner, Drawing, Key, Marker, Marks, Note, Panel, Role, Segments, Sheet, Steps,
-        Style,
+        Axis, Boxes, Chart, ChartError, Corner, Drawing, Key, Layer, Marker, Marks, Note, Panel, Role, Segments, Sheet,
+        Steps, Style,
     };
 
     /// The node of a step, by its level and its path; none for the first.
@@ -154,6 +154,28 @@ mod drawing {
         Ok(steps.draw(sheet)?.into())
     }
 
+    /// Where a node stands, by its level and its slab there.
+    fn place(p: &OwenSteps, level: usize, slab: usize) -> (f64, f64) {
+        ((slab as f64 + 0.5) / f64::from(1_u32 << level), p.levels as f64 - level as f64)
+    }
+
+    /// The slab of a node: where the swaps above have put it.
+    fn slab(p: &OwenSteps, slabs: &[u32], level: usize, node: usize) -> usize {
+        let below = p.levels - level;
+        slabs.get(node << below).map_or(0, |&slab| (slab >> below) as usize)
+    }
+
+    /// The node of a step with its two branches, in the colour of what was decided; lines and mark of these sizes.
+    fn verdict(p: &OwenSteps, data: &Data, slabs: &[u32], step: usize, (width, size): (f64, f64)) -> Vec<Layer> {
+        let Some((level, node, swap)) = node(data, step) else { return Vec::new() };
+        let slab = slab(p, slabs, level, node);
+        let own = place(p, level, slab);
+        let branches = [0, 1].map(|right| [own, place(p, level + 1, 2 * slab + right)]).to_vec();
+        let style = if swap { Style::ACCENT } else { Style::INK };
+        let branches = Segments::new(branches).style(style).width(width);
+        vec![branches.into(), Marks::new(vec![own]).style(style).size(size).into()]
+    }
+
     /// The tree from its root at the top to the line with the points, a level one high.
     fn panel(p: &OwenSteps, data: &Data, step: usize) -> Panel {
         let (levels, count) = (p.levels, f64::from(1_u32 << p.levels));
@@ -163,16 +185,17 @@ mod drawing {
         let y = Axis::linear("").range(-1.3, top + 0.25).hidden();
         let x = Axis::linear("").range(-0.02, 1.02).ticks_at(ticks);
         let mut panel = Panel::new(x, y).ratio(0.11 * (top + 1.8));
-        // A node at a level and its slab there.
-        let place = |level: usize, slab: usize| ((slab as f64 + 0.5) / f64::from(1_u32 << level), top - level as f64);
+        let place = |level: usize, slab: usize| place(p, level, slab);
         let edges = (1..=levels).flat_map(|level| (0..1 << level).map(move |slab| (level, slab)));
         let edges = edges.map(|(level, slab)| [place(level, slab), place(level - 1, slab / 2)]).collect();
         panel = panel.with(Segments::new(edges).style(Style::new(Role::Strata)).width(1.5));
         let slabs = data.steps.get(step).map(Vec::as_slice).unwrap_or_default();
+        // What was decided before stays to be seen, thinner.
+        for earlier in 1..step {
+            panel = panel.with_all(verdict(p, data, slabs, earlier, (1.5, 6.0)));
+        }
         if let Some((level, node, swap)) = node(data, step) {
-            // Where the swaps above have put it.
-            let below = levels - level;
-            let slab = slabs.get(node << below).map_or(0, |&slab| (slab >> below) as usize);
+            let slab = slab(p, slabs, level, node);
             let width = 1.0 / f64::from(1_u32 << level);
             let half = |right: f64| {
                 let from = (slab as f64 + 0.5 * right) * width;
@@ -187,11 +210,8 @@ mod drawing {
                         .map(|(&right, style)| Boxes::new(vec![half(right)]).style(style).opacity(0.1)),
                 );
             }
-            let branches = [0, 1].map(|right| [place(level, slab), place(level + 1, 2 * slab + right)]).to_vec();
-            let style = if swap { Style::ACCENT } else { Style::INK };
-            panel = panel.with(Segments::new(branches).style(style).width(2.4));
-            panel = panel.with(Marks::new(vec![place(level, slab)]).style(style).size(9.0));
         }
+        panel = panel.with_all(verdict(p, data, slabs, step, (2.4, 9.0)));
         let line = Segments::new(vec![[(0.0, -0.95), (1.0, -0.95)]]).style(Style::new(Role::Axis));
         let at = |slab: u32| (f64::from(slab) + 0.5) / count;
         let marks = Marks::new(slabs.iter().map(|&slab| (at(slab), -0.95)).collect());

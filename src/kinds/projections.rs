@@ -179,7 +179,7 @@ mod drawing {
 
     use super::{Data, Projection, Projections, Set};
     use crate::chart::number::{fixed, integer};
-    use crate::chart::{Chart, ChartError, Drawing, Key, Marks, Panel, Sheet, Style};
+    use crate::chart::{Chart, ChartError, Drawing, Key, Marks, Panel, Sheet, Strata, Style};
     use crate::parameters::Pair;
 
     pub(super) fn draw(p: &Projections, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -195,7 +195,16 @@ mod drawing {
         let axes = format!("axes\u{a0}{i},\u{a0}{j}");
         let title = if p.samplers.len() > 1 { format!("{}: {axes}", set.title) } else { axes };
         let marks = Marks::new(projection.points.clone()).style(Style::of(&set.method));
-        Panel::unit_square().title(title).with(marks)
+        let panel = Panel::unit_square().title(title).with(marks);
+        match cells(p) {
+            Some(side) => panel.strata(Strata::boxes(side, side)),
+            None => panel,
+        }
+    }
+
+    /// How many cells a side has where a pair of axes can hold one point in each: base by base cells of base^2 points.
+    fn cells(p: &Projections) -> Option<u32> {
+        u32::try_from(p.base).ok().filter(|_| p.base.checked_mul(p.base) == Some(p.n))
     }
 
     pub(super) fn alt(p: &Projections, data: &Data) -> String {

@@ -191,7 +191,8 @@ fn distribution(runs: &[f64], bins: usize) -> Option<Distribution> {
     Some(Distribution { mean, mean_error: mean_error?, deviation, least, most, from, to, counts: bins.counts })
 }
 
-/// Sorts distinct keys in place with random pivots; how many keys were compared with a pivot.
+/// Sorts distinct keys in place with random pivots; how many keys were
+/// compared with a pivot.
 pub fn quicksort(keys: &mut [u32], random: &mut Random) -> u64 {
     if keys.len() < 2 {
         return 0;
@@ -208,7 +209,9 @@ pub fn quicksort(keys: &mut [u32], random: &mut Random) -> u64 {
     }
     keys.swap(border, last);
     let (left, right) = keys.split_at_mut(border);
-    last as u64 + quicksort(left, random) + quicksort(&mut right[1..], random)
+    let below = quicksort(left, random);
+    let above = quicksort(&mut right[1..], random);
+    last as u64 + below + above
 }
 
 /// The mean and the standard deviation of the number of comparisons of `n` keys.

@@ -252,7 +252,7 @@ mod drawing {
         let n = p.n;
         match (p.sampler, step.part, step.axis) {
             (Construction::Latin, 0, _) => {
-                format!("The diagonal: point $k$ lies in slab $k$ of both axes, at a random place in it; $n = {n}$.")
+                format!("The diagonal: point $i$ lies in slab $i$ of both axes, at a random place in it; $N = {n}$.")
             }
             (Construction::Latin, part, axis) => {
                 let (axis, slabs) = if axis == 0 { ("x", "columns") } else { ("y", "rows") };

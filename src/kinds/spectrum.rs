@@ -168,6 +168,15 @@ impl Kind for SpectrumKind {
             values.number(format!("flatness.z.{name}"), z.unwrap_or(f64::NAN));
             let z = off(|ring| Some((ring.power - ring.expected?).abs() / ring.error?));
             values.number(format!("theory.z.{name}"), z.unwrap_or(f64::NAN));
+            if let Some((ring, most)) = curve.anisotropies().max_by(|a, b| a.1.total_cmp(&b.1)) {
+                values.number(format!("anisotropy.{name}"), most);
+                values.number(format!("anisotropy.ring.{name}"), ring as f64);
+            }
+            // What independent directions give: each ring's variance is its mean squared, over the number of sets.
+            values.number(format!("isotropic.{name}"), isotropic(curve.replicates));
+            for (ring, anisotropy) in curve.anisotropies() {
+                values.number(format!("anisotropy.{name}.{ring}"), anisotropy);
+            }
         }
         values
     }
@@ -199,6 +208,16 @@ impl Curve {
     fn peak(&self) -> Option<(usize, &Mean)> {
         (1..).zip(&self.rings).max_by(|a, b| a.1.power.total_cmp(&b.1.power))
     }
+
+    /// The anisotropies in decibels of the rings that have one, with the rings counted from 1.
+    fn anisotropies(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        (1..).zip(&self.rings).map(|(ring, mean)| (ring, mean.anisotropy)).filter(|one| one.1.is_finite())
+    }
+}
+
+/// The anisotropy in decibels of a ring whose directions are as random as sets allow, averaged over so many.
+fn isotropic(replicates: u32) -> f64 {
+    -10.0 * portable::log10(f64::from(replicates))
 }
 
 /// Up to which frequency power counts as low.
@@ -319,10 +338,9 @@ mod drawing {
 
     use std::fmt::Write as _;
 
-    use super::{Curve, Data, Mean, Show, Spectrum, low};
+    use super::{Curve, Data, Mean, Show, Spectrum, isotropic, low};
     use crate::chart::number::{MINUS, fixed, integer, significant};
     use crate::chart::{Axis, Chart, ChartError, Drawing, Image, Key, Line, Marker, Marks, Panel, Rule, Sheet, Style};
-    use crate::stats::portable;
 
     pub(super) fn draw(p: &Spectrum, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let chart = match p.show {
@@ -403,7 +421,7 @@ mod drawing {
     fn anisotropy(data: &Data) -> Panel {
         let panel = Panel::new(Axis::linear("frequency").include(0.0), Axis::linear("anisotropy in dB")).ratio(0.55);
         let replicates = data.curves.iter().map(|curve| curve.replicates).max().unwrap_or(1);
-        let flat = Rule::horizontal(-10.0 * portable::log10(f64::from(replicates))).style(Style::THEORY);
+        let flat = Rule::horizontal(isotropic(replicates)).style(Style::THEORY);
         let finite = |curve: &Curve| curve.rings.iter().any(|ring| ring.anisotropy.is_finite());
         let curves = data.curves.iter().filter(|curve| finite(curve));
         panel.with(flat.label("isotropic")).with_all(curves.map(|curve| through(curve, |ring| ring.anisotropy)))

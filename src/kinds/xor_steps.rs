@@ -151,7 +151,7 @@ mod drawing {
         let mid = |index: usize| (index as f64 + 0.5) / count as f64;
         // The mask as far as it is applied.
         let mask: Vec<bool> = data.mask.iter().enumerate().map(|(bit, &set)| set && bit < step).collect();
-        let words = [(3.0, "*n*"), (2.0, "Φ(*n*)"), (1.0, "mask"), (0.0, "XOR")];
+        let words = [(3.0, "*i*"), (2.0, "Φ(*i*)"), (1.0, "mask"), (0.0, "XOR")];
         let word = |(y, word): (f64, &str)| Note::new((-0.07, y), word).corner(Corner::Centre).role(Role::Axis);
         panel = panel.with_all(words.map(word));
         panel = panel.with(Segments::new(vec![[(-0.13, 0.5), (1.0, 0.5)]]).style(Style::MUTED).width(0.8));
@@ -174,7 +174,9 @@ mod drawing {
         let ticks = [(0.0, "0"), (0.25, "1/4"), (0.5, "1/2"), (0.75, "3/4"), (1.0, "1")];
         let ticks = ticks.into_iter().map(|(at, label)| (at, label.into())).collect();
         let y = Axis::linear("").range(0.0, 1.0).hidden();
-        let mut panel = Panel::new(Axis::linear("").range(-0.14, 1.0).ticks_at(ticks), y).ratio(0.13);
+        // As wide as the table above it, whose rows have names; the axis is that of the interval alone.
+        let x = Axis::linear("").range(-0.14, 1.0).ticks_at(ticks).from(0.0);
+        let mut panel = Panel::new(x, y).ratio(0.13);
         panel = panel.with(Segments::new(vec![[(0.0, 0.3), (1.0, 0.3)]]).style(Style::new(Role::Axis)));
         if let Some(level) = step.checked_sub(1).filter(|&bit| data.mask.get(bit) == Some(&true)) {
             let parts = 1_u32 << (level + 1);
@@ -194,7 +196,7 @@ mod drawing {
 
     fn caption(data: &Data, step: usize) -> String {
         let Some(bit) = step.checked_sub(1) else {
-            return "The points as they are: point n at the reversed bits of n.".to_owned();
+            return "The points as they are: point $i$ at the reversed bits of $i$.".to_owned();
         };
         let what = match (bit, 1_u32 << bit) {
             (0, _) => "the two halves of the interval".to_owned(),

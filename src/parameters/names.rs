@@ -127,7 +127,7 @@ impl ParameterType for Function {
     }
 
     fn schema() -> Value {
-        json!({ "type": "string" })
+        json!({ "type": ["string", "number"] })
     }
 
     fn read(
@@ -135,10 +135,17 @@ impl ParameterType for Function {
         _: Option<&RangeInclusive<Unbounded>>,
         complaints: &mut Vec<Complaint>,
     ) -> Option<Self> {
-        let Some(text) = value.get_ref().as_str() else {
-            wrong_type::<Self>(value, complaints);
-            return None;
+        // A plain number is an expression, whether it is quoted or not.
+        let text = match value.get_ref() {
+            DeValue::String(text) => text.to_string(),
+            DeValue::Integer(integer) if integer.radix() == 10 => integer.to_string(),
+            DeValue::Float(float) => float.as_str().to_owned(),
+            _ => {
+                wrong_type::<Self>(value, complaints);
+                return None;
+            }
         };
+        let text = text.as_str();
         match Function::parse(text) {
             Ok(function) => Some(function),
             Err(error) => {

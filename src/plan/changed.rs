@@ -17,17 +17,51 @@ pub struct Change {
 }
 
 impl Change {
-    /// `name` is to be `value`: TOML, or a word that stands for itself. What begins as a list, a table or a string and is none is an error.
+    /// `name` is to be `value`: TOML, or a word that stands for itself; several with commas between them are a list. What begins as a
+    /// list, a table or a string and is none is an error.
     pub fn new(name: &str, value: &str) -> Result<Self, String> {
         let value = match DeValue::parse(value) {
             Ok(_) => value.to_owned(),
             Err(error) if value.starts_with(['[', '{', '"', '\'']) => {
                 return Err(format!("`{value}` is no TOML: {}", error.message()));
             }
-            Err(_) => toml::Value::from(value).to_string(),
+            Err(_) => match listed(value)[..] {
+                [_] | [] => word(value),
+                ref several => {
+                    format!("[{}]", several.iter().map(|one| element(one)).collect::<Vec<_>>().join(", "))
+                }
+            },
         };
         Ok(Self { name: name.to_owned(), value })
     }
+}
+
+/// A word as TOML.
+fn word(word: &str) -> String {
+    toml::Value::from(word).to_string()
+}
+
+/// One element of a list as TOML.
+fn element(written: &str) -> String {
+    if DeValue::parse(written).is_ok() { written.to_owned() } else { word(written) }
+}
+
+/// The parts of `16,4096`; a comma within parentheses, as in `min(x1, x2)`, parts nothing, and neither does one with nothing on a side.
+fn listed(text: &str) -> Vec<&str> {
+    let (mut parts, mut depth, mut start) = (Vec::new(), 0_usize, 0);
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            ',' if depth == 0 => {
+                parts.push(text[start..at].trim());
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(text[start..].trim());
+    if parts.iter().any(|part| part.is_empty()) { vec![text] } else { parts }
 }
 
 /// An exhibit that was changed, with the text that complaints of it are about.
@@ -99,6 +133,10 @@ mod tests {
         assert_eq!(value("sobol+owen"), "\"sobol+owen\"");
         assert_eq!(value("2^4..2^8"), "\"2^4..2^8\"");
         assert_eq!(value("a\"b\\"), "'a\"b\\'");
+        assert_eq!(value("16,4096"), "[16, 4096]");
+        assert_eq!(value("halton, sobol+owen,2^4..2^8"), "[\"halton\", \"sobol+owen\", \"2^4..2^8\"]");
+        assert_eq!(value("min(x1, x2)"), "\"min(x1, x2)\"");
+        assert_eq!(value("16,"), "\"16,\"");
         let two = value("4\nid = 3");
         assert_eq!(DeValue::parse(&two).unwrap().get_ref().as_str(), Some("4\nid = 3"), "{two}");
         for broken in ["[a", "\"a", "[1] 2"] {

@@ -38,13 +38,22 @@ pub enum Bound<N = Amount> {
     Equals(Literal<N>),
     /// A truth that holds, or a falsehood that does not.
     Holds(bool),
-    /// Not further than `within` standard errors from another value of the exhibit.
+    /// Not further than `within` standard errors from another value of the exhibit, or from a number.
     Agrees {
-        /// The other value's name.
-        with: String,
+        /// What it should be near.
+        with: Other<N>,
         /// How many standard errors.
         within: N,
     },
+}
+
+/// What an estimate can agree with.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Other<N = Amount> {
+    /// Another value of the exhibit, by its name.
+    Value(String),
+    /// A number.
+    Number(N),
 }
 
 /// What a value can be equal to.
@@ -62,7 +71,9 @@ impl<N> Bound<N> {
     /// Its numbers.
     pub fn amounts(&self) -> Vec<&N> {
         match self {
-            Self::Near { target, within } => vec![target, within],
+            Self::Near { target, within } | Self::Agrees { with: Other::Number(target), within } => {
+                vec![target, within]
+            }
             Self::Below(amount)
             | Self::Above(amount)
             | Self::Agrees { within: amount, .. }
@@ -81,6 +92,9 @@ impl Claim {
             Bound::Above(limit) => Bound::Above(limit.placed(map)),
             Bound::Equals(Literal::Number(number)) => Bound::Equals(Literal::Number(number.placed(map))),
             Bound::Equals(Literal::Either(text, number)) => Bound::Equals(Literal::Either(text, number.placed(map))),
+            Bound::Agrees { with: Other::Number(with), within } => {
+                Bound::Agrees { with: Other::Number(with.placed(map)), within: within.placed(map) }
+            }
             Bound::Agrees { with, within } => Bound::Agrees { with, within: within.placed(map) },
             plain @ (Bound::Equals(Literal::Text(_)) | Bound::Holds(_)) => plain,
         });
@@ -127,7 +141,7 @@ fn shapeless(name: &str, range: Range<usize>) -> Complaint {
         .help(
             "write `{ near = x, within = y }`, `{ below = x }`, `{ above = x }`, `{ equals = x }`, `{ holds = true }`",
         )
-        .help("or `{ agrees = \"exact\", within = 4 }`: within 4 standard errors of another value")
+        .help("or `{ agrees = \"exact\", within = 4 }`: within 4 standard errors of another value, or of a number")
 }
 
 fn read_bounds(fields: &mut Fields<'_>, key: Range<usize>) -> Vec<Bound> {
@@ -157,7 +171,7 @@ fn read_bounds(fields: &mut Fields<'_>, key: Range<usize>) -> Vec<Bound> {
     bounds.extend(Amount::read(fields, "above").map(Bound::Above));
     bounds.extend(fields.read::<bool>("holds").map(Bound::Holds));
     bounds.extend(read_equals(fields));
-    if let Some(with) = fields.read::<String>("agrees") {
+    if let Some(with) = read_other(fields) {
         bounds.push(Bound::Agrees { with, within: within.unwrap_or(Amount::Number(4.0)) });
     } else if within.is_some() && fields.value("near").is_none() {
         let place = fields.place("within");
@@ -167,6 +181,19 @@ fn read_bounds(fields: &mut Fields<'_>, key: Range<usize>) -> Vec<Bound> {
         fields.complaints.push(shapeless("this value", key));
     }
     bounds
+}
+
+/// What `agrees` names: a number, an expression such as `4/3`, or else another value of the exhibit.
+fn read_other(fields: &mut Fields<'_>) -> Option<Other> {
+    let value = fields.value("agrees")?;
+    let DeValue::String(text) = value.get_ref() else { return Amount::read(fields, "agrees").map(Other::Number) };
+    let named = text.starts_with(|c: char| c.is_ascii_alphabetic());
+    let bare = text.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._+-".contains(&byte));
+    // Some names of values, such as `pi`, are expressions too: a name is meant. In an expression a value stands in brackets.
+    if named && (bare || Amount::computed(text, value).is_err()) {
+        return fields.read("agrees").map(Other::Value);
+    }
+    Amount::read(fields, "agrees").map(Other::Number)
 }
 
 fn read_equals(fields: &mut Fields<'_>) -> Option<Bound> {

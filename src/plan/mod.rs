@@ -32,7 +32,7 @@ pub use amount::{Amount, Settled};
 pub use audience::for_students;
 pub use bibliography::Bibliography;
 pub use changed::{Change, Changed};
-pub use claim::{Bound, Claim, Literal};
+pub use claim::{Bound, Claim, Literal, Other};
 pub use format::Format;
 pub(crate) use format::{escape, minus};
 pub use formula::Converter;

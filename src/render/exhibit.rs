@@ -188,15 +188,28 @@ fn summed_up(verdicts: &[&Verdict], pattern: &str) -> ClaimContext {
     ClaimContext { statement, holds: verdicts.iter().all(|verdict| verdict.holds) }
 }
 
+/// The items of a list; whole numbers that follow each other are a range, such as `1..256`, and so are powers that do: `2^4..2^14`.
+fn listed(items: &[serde_json::Value]) -> String {
+    let numbers: Option<Vec<u64>> = items.iter().map(serde_json::Value::as_u64).collect();
+    let range = numbers.as_deref().and_then(|numbers| {
+        let ([first, second, ..], last) = (numbers, *numbers.last()?) else { return None };
+        if numbers.len() > 3 && numbers.windows(2).all(|two| two[0] + 1 == two[1]) {
+            return Some(format!("{first}..{last}"));
+        }
+        let base = second.checked_div(*first).filter(|base| *base >= 2)?;
+        let exponent = (0..64).find(|&exponent| base.checked_pow(exponent) == Some(*first))?;
+        let powers = numbers.len() > 3 && numbers.windows(2).all(|two| two[0].checked_mul(base) == Some(two[1]));
+        powers.then(|| format!("{base}^{exponent}..{base}^{}", exponent as usize + numbers.len() - 1))
+    });
+    let text = |item: &serde_json::Value| item.as_str().map_or_else(|| item.to_string(), str::to_owned);
+    range.unwrap_or_else(|| items.iter().map(text).collect::<Vec<_>>().join(", "))
+}
+
 fn parameters(exhibit: &Exhibit) -> Vec<ParameterContext> {
     let serde_json::Value::Object(parameters) = exhibit.experiment.parameters() else { return Vec::new() };
     let text = |value: &serde_json::Value| match value {
         serde_json::Value::String(text) => text.clone(),
-        serde_json::Value::Array(items) => items
-            .iter()
-            .map(|item| item.as_str().map_or_else(|| item.to_string(), str::to_owned))
-            .collect::<Vec<_>>()
-            .join(", "),
+        serde_json::Value::Array(items) => listed(items),
         other => other.to_string(),
     };
     parameters
@@ -204,4 +217,21 @@ fn parameters(exhibit: &Exhibit) -> Vec<ParameterContext> {
         .filter(|(_, value)| !value.is_null())
         .map(|(name, value)| ParameterContext { name: name.clone(), value: text(value) })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::listed;
+
+    #[test]
+    fn ranges_are_as_a_chapter_writes_them() {
+        let text = |numbers: Vec<u64>| listed(&numbers.into_iter().map(serde_json::Value::from).collect::<Vec<_>>());
+        assert_eq!(text((1..=256).collect()), "1..256");
+        assert_eq!(text(vec![16, 32, 64, 128]), "2^4..2^7");
+        assert_eq!(text(vec![1, 3, 9, 27, 81]), "3^0..3^4");
+        assert_eq!(text(vec![1, 2, 3]), "1, 2, 3");
+        assert_eq!(text(vec![1, 2, 3, 5]), "1, 2, 3, 5");
+        assert_eq!(text(vec![6, 12, 24, 48]), "6, 12, 24, 48");
+        assert_eq!(listed(&["a".into(), "b".into()]), "a, b");
+    }
 }

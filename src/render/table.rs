@@ -5,9 +5,14 @@ use std::fmt::Write as _;
 use crate::chart::{Align, Cell, Table};
 use crate::plan::{Converter, escape};
 
+/// From so many columns on a table has less space between them.
+const MANY: usize = 9;
+
 /// A table's HTML.
 pub(super) fn html(table: &Table, converter: &Converter) -> String {
-    let mut out = String::from("<div class=\"table-wrap\"><table class=\"data\">\n<thead><tr>");
+    // Many columns stand closer.
+    let class_of_all = if table.columns.len() >= MANY { "data many" } else { "data" };
+    let mut out = format!("<div class=\"table-wrap\"><table class=\"{class_of_all}\">\n<thead><tr>");
     for column in &table.columns {
         let _ = write!(out, "<th scope=\"col\"{}>{}</th>", class(column.align, false), prose(&column.head, converter));
     }
@@ -61,7 +66,9 @@ fn content(cell: &Cell, converter: &Converter) -> String {
 pub(super) fn prose(text: &str, converter: &Converter) -> String {
     let mut out = String::new();
     for (index, part) in text.split('$').enumerate() {
-        if index % 2 == 0 { out.push_str(&escape(part)) } else { out.push_str(&formula(part, converter)) }
+        // Apostrophes are printed; the primes of formulas are not theirs.
+        let printed = || escape(&part.replace('\'', "’"));
+        out.push_str(&if index % 2 == 0 { printed() } else { formula(part, converter) });
     }
     out
 }

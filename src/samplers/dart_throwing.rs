@@ -99,12 +99,17 @@ const SHARE: f64 = 0.7;
 /// Darts that may miss in a row before the throw counts as jammed.
 const PATIENCE: usize = 20_000;
 
-/// `n` points no two of which are nearer than `radius`; `None` if the throw jams before.
-pub fn throw<const D: usize>(n: usize, radius: f64, random: &mut Random) -> Option<Vec<Place<D>>> {
+/// `n` points no two of which are nearer than `radius`; `None` if the throw
+/// jams before.
+pub fn throw<const D: usize>(
+    n: usize,
+    radius: f64, // the least distance of two points
+    random: &mut Random,
+) -> Option<Vec<Place<D>>> {
     let mut buckets = Buckets::new((1.0 / radius) as usize);
     while buckets.places().len() < n {
-        let dart = (0..PATIENCE).map(|_| uniform(random)).find(|&dart| !buckets.any_within(dart, radius))?;
-        buckets.add(dart);
+        let mut darts = (0..PATIENCE).map(|_| uniform(random));
+        buckets.add(darts.find(|&dart| !buckets.any_within(dart, radius))?);
     }
     Some(buckets.into_places())
 }

@@ -65,16 +65,16 @@ impl Radix {
     }
 }
 
-/// The number (`cell` + `fraction`) / `count`, kept inside [cell / count, (cell + 1) / count) where
-/// rounding would push it out.
+/// The number (`cell` + `fraction`) / `count`, kept inside [cell / count,
+/// (cell + 1) / count) where rounding would push it out.
 ///
-/// `fraction` is in [0, 1), and `cell < count`. In plain arithmetic (15 + u) / 16 rounds to 1 for u
-/// close to 1.
+/// `fraction` is in [0, 1), and `cell < count`. In plain arithmetic (15 + u)
+/// / 16 rounds to 1 for u close to 1.
 #[inline]
 pub fn within(cell: u64, count: u64, fraction: f64) -> f64 {
     let x = (cell as f64 + fraction) / count as f64;
-    // A gap of 2^-30 to the end, relative to at most 2^20 cells, is more than two roundings can
-    // bridge.
+    // A gap of 2^-30 to the end, relative to at most 2^20 cells, is more than two
+    // roundings can bridge.
     if fraction < 1.0 - 1.0 / 1_073_741_824.0 && count <= 1 << 20 {
         return x;
     }

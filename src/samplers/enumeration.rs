@@ -51,24 +51,27 @@ pub struct Progression {
     pub step: u64,
 }
 
-/// The indices of the Halton sequence whose points lie in the box of `intervals`, at most one for
-/// each axis. `None` where a cell or an axis is out of range, an axis comes twice, or the product
-/// of all b^digits is not below 2^53.
+/// The indices of the Halton sequence whose points lie in the box of
+/// `intervals`, at most one for each axis. `None` where a cell or an axis is
+/// out of range, an axis comes twice, or the product of all b^digits is not
+/// below 2^53.
 pub fn halton(intervals: &[Interval]) -> Option<Progression> {
     let mut all = Progression { first: 0, step: 1 };
     for (k, interval) in intervals.iter().enumerate() {
         let base = u64::from(*PRIMES.get(interval.axis)?);
         let count = base.checked_pow(interval.digits)?;
-        let twice = intervals[..k].iter().any(|other| other.axis == interval.axis);
-        if twice || interval.cell >= count || all.step.checked_mul(count)? >= 1 << 53 {
+        let step = all.step.checked_mul(count)?;
+        let same = |other: &Interval| other.axis == interval.axis;
+        let twice = intervals[..k].iter().any(same);
+        if twice || interval.cell >= count || step >= 1 << 53 {
             return None;
         }
         let remainder = reversed(interval.cell, base, interval.digits);
-        // first + step t = remainder modulo count: t is the difference over the step, whose inverse
-        // exists, since the moduli are coprime.
+        // first + step t = remainder modulo count: t is the difference over
+        // the step, whose inverse exists, since the moduli are coprime.
         let difference = (remainder + count - all.first % count) % count;
         let t = multiply(difference, inverse(all.step % count, count), count);
-        all = Progression { first: all.first + all.step * t, step: all.step * count };
+        all = Progression { first: all.first + all.step * t, step };
     }
     Some(all)
 }

@@ -105,11 +105,11 @@ impl Digital for Halton {
     }
 }
 
-/// The radical inverse of `index` in base `base`, in [0, 1): the digits reversed as a whole number,
-/// then one division.
+/// The radical inverse of `index` in base `base`, in [0, 1): the digits
+/// reversed as a whole number, then one division.
 ///
-/// Summing a_k b^(-k-1) in floating point instead rounds at every term, and reaches 1 at last. A
-/// base below 2 counts as 2.
+/// Summing a_k b^(-k-1) in floating point instead rounds at every term, and
+/// reaches 1 at last. A base below 2 counts as 2.
 pub fn radical_inverse(index: u64, base: u32) -> f64 {
     let base = u64::from(base.max(2));
     let (mut rest, mut reversed, mut scale) = (index, 0, 1);

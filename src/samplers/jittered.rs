@@ -123,8 +123,14 @@ impl Sampler for Jittered {
     }
 }
 
-/// A uniform point in cell `cell` of the grid of `cuts[j]` cells on axis j, the first axis fastest.
-pub fn jitter(cell: usize, cuts: &[usize], point: &mut [f64], random: &mut Random) {
+/// A uniform point in cell `cell` of the grid of `cuts[j]` cells on axis j,
+/// the first axis fastest.
+pub fn jitter(
+    cell: usize,
+    cuts: &[usize], // of each axis
+    point: &mut [f64],
+    random: &mut Random,
+) {
     let mut rest = cell;
     for (x, &cut) in point.iter_mut().zip(cuts) {
         *x = within((rest % cut) as u64, cut as u64, random.uniform());

@@ -40,7 +40,7 @@ pub struct Kronecker;
 
 static ABOUT: About = About {
     key: "kronecker",
-    title: "Kronecker (R_d)",
+    title: "Kronecker (R sequence)",
     summary: "Multiples of powers of the generalised golden ratio modulo 1; the plastic number in two dimensions.",
     file: "samplers/kronecker.rs",
     source: include_str!("kronecker.rs"),

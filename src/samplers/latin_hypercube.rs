@@ -101,7 +101,10 @@ impl Sampler for LatinHypercube {
 
 /// One axis: a uniform number in each of `n` slabs, in random order.
 pub fn shuffled_slabs(n: usize, random: &mut Random) -> Vec<f64> {
-    let mut column: Vec<f64> = (0..n).map(|slab| within(slab as u64, n as u64, random.uniform())).collect();
+    let mut column = Vec::with_capacity(n);
+    for slab in 0..n as u64 {
+        column.push(within(slab, n as u64, random.uniform()));
+    }
     random.shuffle(&mut column);
     column
 }

@@ -101,10 +101,12 @@ impl Sampler for MultiJittered {
                 slabs.extend(0..across);
                 random.shuffle(&mut slabs);
                 for (k, &slab) in slabs.iter().enumerate() {
-                    // The cell in column i and row j is number i + columns j, whichever axis is
-                    // walked along.
-                    let cell = if axis == 0 { stratum + own * k } else { k + across * stratum };
-                    out[cell * d] = within((stratum * across + slab) as u64, n as u64, random.uniform());
+                    // The cell in column i and row j is number i + columns j,
+                    // whichever axis is walked along.
+                    let along_rows = k + across * stratum;
+                    let cell = if axis == 0 { stratum + own * k } else { along_rows };
+                    let slab = (stratum * across + slab) as u64;
+                    out[cell * d] = within(slab, n as u64, random.uniform());
                 }
             }
         })

@@ -98,7 +98,8 @@ impl Sampler for OrthogonalArray {
     }
 }
 
-/// The symbol of run `run = a s + b` on the axis `axis <= s`, for a prime number s of symbols.
+/// The symbol of run `run = a s + b` on the axis `axis <= s`, for a prime
+/// number s of symbols.
 pub fn symbol(run: usize, axis: usize, s: usize) -> usize {
     let (a, b) = (run / s, run % s);
     match axis {

@@ -136,8 +136,8 @@ pub fn sobol(index: u64, axis: usize) -> f64 {
     sobol_bits(index, axis) as f64 * GRAIN
 }
 
-/// The 53 binary digits of that coordinate, as a whole number: the XOR of the matrix' columns at
-/// the set bits of the index.
+/// The 53 binary digits of that coordinate, as a whole number: the XOR of the
+/// matrix' columns at the set bits of the index.
 #[inline]
 pub fn sobol_bits(index: u64, axis: usize) -> u64 {
     let columns = &MATRICES[axis].0;

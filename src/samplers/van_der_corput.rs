@@ -93,8 +93,9 @@ pub fn bit_reversal(index: u64) -> f64 {
 
 /// The 53 lowest bits of `index` reversed, as a whole number below 2^53.
 ///
-/// Reversing 64 bits swaps neighbours, pairs, nibbles, bytes, ...; the shift drops the 11 bits for
-/// which a `f64` has no room, where rounding would reach 1.
+/// Reversing 64 bits swaps neighbours, pairs, nibbles, bytes, ...; the shift
+/// drops the 11 bits for which a `f64` has no room, where rounding would
+/// reach 1.
 #[inline]
 pub fn reversed_bits(index: u64) -> u64 {
     index.reverse_bits() >> 11

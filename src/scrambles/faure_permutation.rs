@@ -76,12 +76,16 @@ pub fn permutation(base: u32) -> Vec<u32> {
         2 => vec![0, 1],
         _ if base.is_multiple_of(2) => {
             let half = permutation(base / 2);
-            half.iter().map(|&value| 2 * value).chain(half.iter().map(|&value| 2 * value + 1)).collect()
+            let even = half.iter().map(|&value| 2 * value);
+            let odd = half.iter().map(|&value| 2 * value + 1);
+            even.chain(odd).collect()
         }
         _ => {
             let middle = base / 2;
-            let mut images: Vec<u32> =
-                permutation(base - 1).into_iter().map(|value| value + u32::from(value >= middle)).collect();
+            let mut images = permutation(base - 1);
+            for image in &mut images {
+                *image += u32::from(*image >= middle);
+            }
             images.insert(middle as usize, middle);
             images
         }

@@ -106,8 +106,8 @@ pub fn scramble(digits: u32, seed: u32) -> u32 {
     carry_up(digits.reverse_bits(), seed).reverse_bits()
 }
 
-/// The hash in which every bit depends on the lower bits and the seed only (Laine and Karras, with
-/// Vegdahl's constants).
+/// The hash in which every bit depends on the lower bits and the seed only
+/// (Laine and Karras, with Vegdahl's constants).
 #[inline]
 pub fn carry_up(word: u32, seed: u32) -> u32 {
     let word = word ^ word.wrapping_mul(0x3d20_adea);

@@ -109,7 +109,8 @@ fn mask(radix: Radix, random: &mut Random) -> u64 {
     random.below(radix.scale)
 }
 
-/// The sum without carry of the digits of `numerator` and `mask`, both below `radix.scale`.
+/// The sum without carry of the digits of `numerator` and `mask`, both below
+/// `radix.scale`.
 pub fn shift(numerator: u64, mask: u64, radix: Radix) -> u64 {
     if radix.base == 2 {
         return numerator ^ mask;

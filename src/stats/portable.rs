@@ -101,6 +101,18 @@ pub fn erfc(x: f64) -> f64 {
     pxfm::f_erfc(x)
 }
 
+/// The gamma function.
+#[inline]
+pub fn gamma(x: f64) -> f64 {
+    pxfm::f_tgamma(x)
+}
+
+/// The natural logarithm of the absolute value of the gamma function.
+#[inline]
+pub fn ln_gamma(x: f64) -> f64 {
+    pxfm::f_lgamma(x)
+}
+
 /// `x` to the whole power `exponent`, by repeated squaring from the lowest bit: a fixed order of
 /// roundings.
 #[inline]
@@ -141,5 +153,9 @@ mod tests {
         assert_eq!(log2(1024.0), 10.0);
         assert_eq!(log10(1e-3), -3.0);
         assert_eq!(erf(1.0), 0.842_700_792_949_714_9);
+        assert_eq!([gamma(5.0), gamma(1.0), ln_gamma(1.0)], [24.0, 1.0, 0.0]);
+        assert_eq!(gamma(0.5), 1.772_453_850_905_516);
+        assert!((gamma(4.0 / 3.0) - 0.892_979_511_569_249_2).abs() < 1e-15);
+        assert!((ln_gamma(101.0) - 363.739_375_555_563_5).abs() < 1e-12);
     }
 }

@@ -26,6 +26,7 @@ mod code;
 mod course;
 #[cfg(feature = "publish")]
 mod determinism;
+mod drawings;
 mod enumeration;
 #[cfg(feature = "publish")]
 mod estimation;

@@ -46,6 +46,25 @@ fn methods_differ_in_more_than_colour() {
 }
 
 #[test]
+fn no_two_samplers_of_the_catalogue_look_the_same() {
+    let keys = || crate::samplers::SAMPLERS.iter().map(|sampler| sampler.about().key);
+    let named: Vec<(&str, Style)> = keys().map(|key| (key, Style::of(key))).chain(SAMPLERS).collect();
+    for (i, (name, a)) in named.iter().enumerate() {
+        for (other, b) in named[i + 1..].iter().filter(|(other, _)| other != name) {
+            assert!((a.role, a.dash) != (b.role, b.dash), "the lines of {name} and {other} look the same");
+            assert!((a.role, a.marker) != (b.role, b.marker), "the points of {name} and {other} look the same");
+        }
+    }
+}
+
+#[test]
+fn styles_are_of_methods_that_there_are() {
+    for (name, _) in SAMPLERS {
+        assert!(crate::samplers::Method::parse(name).is_ok(), "{name}");
+    }
+}
+
+#[test]
 fn styles_are_fixed() {
     assert_eq!(Style::of("independent").role, Role::Vermilion);
     assert_eq!(Style::of("sobol+later"), Style::of("sobol+later"));

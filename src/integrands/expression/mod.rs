@@ -86,6 +86,8 @@ static UNARIES: &[Unary] = &[
     unary("log10", r"\log_{10}", portable::log10),
     unary("erf", r"\operatorname{erf}", portable::erf),
     unary("erfc", r"\operatorname{erfc}", portable::erfc),
+    unary("gamma", r"\Gamma", portable::gamma),
+    unary("lgamma", r"\ln\Gamma", portable::ln_gamma),
     unary("normal_cdf", r"\Phi", normal::distribution),
     unary("normal_quantile", r"\Phi^{-1}", normal::quantile),
     unary("factorial", "!", factorial),

@@ -31,7 +31,8 @@ fn planted(source: &Source<'_>) -> Run {
     let mut next = || numbers.next().unwrap_or_default();
     for _ in 0..source.len() {
         let (choice, x) = (next(), next());
-        let value = if choice < 0.5 { x * x / 0.5 } else { x * next() / 0.5 };
+        let y = if choice < 0.5 { x } else { next() };
+        let value = x * y / 0.5;
         run.add(&[choice, x], value);
     }
     run

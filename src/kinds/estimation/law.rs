@@ -92,7 +92,8 @@ impl Law {
             Named::Triangular if u < 0.5 => along((0.5 * u).sqrt()),
             Named::Triangular => along(1.0 - (0.5 * (1.0 - u)).sqrt()),
             Named::Exponential => -portable::ln(1.0 - u),
-            // The normal law has no smallest value: 0 stands for the middle of the first of 2^53 equal parts.
+            // The normal law has no smallest value: 0 stands for the middle
+            // of the first of 2^53 equal parts.
             Named::Normal => normal::quantile(u.max(0.5 / 9_007_199_254_740_992.0)),
         }
     }

@@ -89,7 +89,12 @@ impl Study<'_> {
     }
 
     /// One estimate: the mean of the integrand over n points.
-    pub fn estimate(&self, method: &Method, n: usize, stream: Seed) -> Result<f64, Failure> {
+    pub fn estimate(
+        &self,
+        method: &Method,
+        n: usize, // points
+        stream: Seed,
+    ) -> Result<f64, Failure> {
         mean(self.integrand, &self.points(method, n, stream)?)
     }
 
