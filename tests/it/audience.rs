@@ -345,7 +345,7 @@ fn nothing_of_this_courses_solutions_reaches_the_students_pages() {
 fn a_course_without_solutions_is_the_same_for_everybody() {
     for case in ["minimal", "steppers", "appendices"] {
         let (loaded, _) = workspace::load(&Path::new(PACKAGE).join("tests/books").join(case));
-        let (course, _) = parse::course(&loaded);
+        let (course, _) = parse::course(parse::configuration(&loaded).0, &loaded, &[]);
         let (students, told) = parse::without_solutions(&course);
         assert!(told.is_empty() && !course.chapters.is_empty());
         for (whole, kept) in course.chapters.iter().zip(&students.chapters) {

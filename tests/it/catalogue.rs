@@ -29,7 +29,7 @@ fn course(lines: &str) -> Course {
 }
 
 fn planned(course: &Course) -> Planned {
-    let planned = check(&Request { root: course.root().to_owned(), threads: 1, cached: false });
+    let planned = check(&Request { root: course.root().to_owned(), threads: 1, cached: false, audience: None });
     assert!(planned.diagnostics.is_empty(), "{:#?}", planned.diagnostics);
     planned
 }
