@@ -144,3 +144,27 @@ fn code_can_be_read_in_both_themes() {
     }
     assert!(lowest < 21.0 && (contrast("#000000", "#ffffff") - 21.0).abs() < 1e-9);
 }
+
+#[test]
+fn text_can_be_read_in_both_themes() {
+    let style = fs::read_to_string(Path::new(PACKAGE).join("templates/assets/style.css")).unwrap();
+    // With the least contrast of each; a line that tells something, such as the border of a button, needs less than text.
+    let inks = [
+        ("--ink", 7.0),
+        ("--link", 7.0),
+        ("--ink-soft", 4.5),
+        ("--good", 4.5),
+        ("--bad", 4.5),
+        ("--caution", 4.5),
+        ("--aside", 4.5),
+        ("--rule-strong", 3.0),
+    ];
+    for theme in [0, 1] {
+        for (ink, least) in inks {
+            for ground in ["--page", "--panel"] {
+                let found = contrast(&colours(&style, ink)[theme], &colours(&style, ground)[theme]);
+                assert!(found >= least, "{ink} on {ground}, theme {theme}: {found:.2}");
+            }
+        }
+    }
+}
