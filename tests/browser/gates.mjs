@@ -89,7 +89,7 @@ export async function run({ browser, book, gates, tell = () => {} }) {
       }
       await page.close();
     });
-    await made.close();
+    await made.close().catch(() => {});
   }
   looked(gates.filter((gate) => gate.look), tell);
   for (const gate of gates.filter((gate) => gate.walk)) {
@@ -107,7 +107,7 @@ export async function run({ browser, book, gates, tell = () => {} }) {
       continue;
     }
     await guarded(gate, gate.name, () => gate.walk({ browser, book, each, open: fresh, visit, report: reporter(gate) }));
-    await Promise.all(contexts.map((made) => made.close()));
+    await Promise.all(contexts.map((made) => made.close().catch(() => {})));
     looked([gate], tell);
   }
 }

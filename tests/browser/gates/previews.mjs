@@ -7,7 +7,8 @@ const CARD = ".preview:not([hidden])";
 export async function walk({ book, open, report }) {
   const file = book.pages.find((one) => /<a class="(reference|term|citation)"/.test(book.text(one)));
   if (!file) return "skipped";
-  const { page } = await open("wide", file);
+  // A low window, so that what is led to is seldom in view: then no card is shown.
+  const { page } = await open("zoomed", file);
   // Links whose target is on this page but far away, one of each kind; and one that leads to another page.
   const links = await page.evaluate(() => {
     const found = {};
@@ -16,7 +17,7 @@ export async function walk({ book, open, report }) {
       link.dataset.gate = at;
       const here = link.pathname === location.pathname;
       const target = here && document.getElementById(decodeURIComponent(link.hash.slice(1)));
-      if (here && (!target || Math.abs(target.getBoundingClientRect().top - link.getBoundingClientRect().top) < 1200)) return;
+      if (here && (!target || Math.abs(target.getBoundingClientRect().top - link.getBoundingClientRect().top) < 600)) return;
       found[`${link.className} ${here ? "here" : "elsewhere"}`] ??= at;
     });
     return Object.entries(found);
