@@ -20,6 +20,7 @@ const NOT_COMPUTING: &[&str] = &[
     "run/",
     "exhibits/",
     "chart/",
+    "receipt.rs",
     "sources/",
     "render/",
     "verify/",
