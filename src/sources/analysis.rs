@@ -14,6 +14,7 @@ const NOT_COMPUTING: &[&str] = &[
     "diag.rs",
     "compose.rs",
     "workspace.rs",
+    "workspace/",
     "generate/",
     "parse/",
     "plan/",
