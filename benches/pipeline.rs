@@ -113,7 +113,7 @@ mod stages {
     #[divan::bench]
     fn parse_the_course(bencher: Bencher) {
         let (workspace, _) = workspace::load(&course("parse"));
-        bencher.bench(|| parse::course(&workspace));
+        bencher.bench(|| parse::course(parse::configuration(&workspace).0, &workspace, &[]));
     }
 
     #[divan::bench]

@@ -206,8 +206,6 @@ codes! {
     UnusedGiven = "W0122";
     /// A reference to what students do not get.
     Withheld = "W0123";
-    /// A listing with a line wider than a page has room for.
-    WideListing = "W0124";
     // What was computed.
     /// An experiment that failed.
     Failed = "W0201";

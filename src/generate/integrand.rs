@@ -60,7 +60,7 @@ fn shape(integrand: &dyn Integrand, d: usize, page: &mut Page<'_>) {
         let fence = Fence::new("surface", &id).word("integrand", key);
         fence.caption("The integrand over the unit square, dark where it is low, light where it is high; beside it three cuts across the square.")
     };
-    page.experiment(fence.claims(claims(integrand, d)));
+    page.experiment(&fence.claims(claims(integrand, d)));
 }
 
 /// What a fine grid finds is what the catalogue states.
@@ -93,7 +93,7 @@ fn convergence(integrand: &dyn Integrand, d: usize, page: &mut Page<'_>) {
     let key = integrand.about().key;
     let methods: Vec<Method> = SAMPLERS.iter().filter_map(|name| Method::parse(name).ok()).collect();
     let methods: Vec<Method> = methods.into_iter().filter(|method| method.admits(64, d).is_ok()).collect();
-    let names: Vec<String> = methods.iter().map(|method| method.name()).collect();
+    let names: Vec<String> = methods.iter().map(Method::name).collect();
     let counts = counts(&methods, &[16, 64, 256, 1024, 4096], d);
     let caption = format!(
         "The root mean square error over {RUNS} runs in {d} dimension{}, with fitted slopes.",
@@ -103,5 +103,5 @@ fn convergence(integrand: &dyn Integrand, d: usize, page: &mut Page<'_>) {
     let fence = fence.word("integrand", key).numbers("n", &counts).with("dimensions", d).with("replicates", RUNS);
     let fence = fence.caption(&caption).claim("slope.independent", "near = -0.5, within = 0.15");
     let fence = fence.claim("mean.independent.*", "agrees = \"exact\", within = 5");
-    page.experiment(fence);
+    page.experiment(&fence);
 }

@@ -24,7 +24,9 @@ impl Manual {
                 example.get_or_insert_default();
             } else if code {
                 let hidden = line == "#" || line.starts_with("# ");
-                example.iter_mut().for_each(|code| code.extend((!hidden).then_some(line)));
+                if let Some(code) = example.as_mut().filter(|_| !hidden) {
+                    code.push(line);
+                }
             } else if line.is_empty() {
                 paragraphs.push(String::new());
             } else if let Some(last) = paragraphs.last_mut() {

@@ -74,7 +74,7 @@ fn known(metric: &dyn Metric, page: &mut Page<'_>) {
         let claims = here.iter().map(|known| {
             (format!("{quantity}.{}", known.method), format!("near = \"{}\", within = 1e-12", known.value))
         });
-        page.experiment(fence.claims(claims));
+        page.experiment(&fence.claims(claims));
     }
 }
 
@@ -88,7 +88,7 @@ fn over_n(metric: &dyn Metric, page: &mut Page<'_>) {
         points.is_some_and(|points| measure(metric, &points).is_ok())
     };
     let methods: Vec<Method> = methods.iter().filter(fits).copied().collect();
-    let names: Vec<String> = methods.iter().map(|method| method.name()).collect();
+    let names: Vec<String> = methods.iter().map(crate::samplers::Method::name).collect();
     let counts = counts(&methods, &[16, 64, 256, 1024], 2);
     let caption = format!(
         "{} of sets in the plane; of random samplers the mean over {SETS} sets, with the range from the least to the greatest.",
@@ -96,5 +96,5 @@ fn over_n(metric: &dyn Metric, page: &mut Page<'_>) {
     );
     let fence = Fence::new("discrepancy", &format!("fig-measure-{}", metric.about().key)).words("samplers", &names);
     let fence = fence.numbers("n", &counts).word("measure", metric.about().key).with("replicates", SETS);
-    page.experiment(fence.caption(&caption));
+    page.experiment(&fence.caption(&caption));
 }

@@ -59,7 +59,7 @@ impl<'a> Page<'a> {
     }
 
     /// An experiment.
-    pub(super) fn experiment(&mut self, fence: Fence) {
+    pub(super) fn experiment(&mut self, fence: &Fence) {
         let _ = writeln!(self.text, "```experiment\n{}", fence.lines.join("\n"));
         if !fence.claims.is_empty() {
             let _ = writeln!(self.text, "\n[claims]\n{}", fence.claims.join("\n"));

@@ -116,7 +116,7 @@ fn guarantees(subject: &Subject, manual: &Manual, page: &mut Page<'_>) {
     let fence = Fence::new("guarantees", &subject.id("tbl", "guarantees")).words("samplers", &family);
     let fence = fence.words("properties", properties(subject.d)).with("n", n).with("dimensions", subject.d);
     let fence = fence.with("base", base).with("seeds", SETS).caption(&caption);
-    page.experiment(fence.claims(claims::guarantees(subject, n)));
+    page.experiment(&fence.claims(claims::guarantees(subject, n)));
 }
 
 /// What is looked at in so many dimensions.
@@ -141,7 +141,7 @@ fn shown(subject: &Subject, page: &mut Page<'_>) {
     let fence = Fence::new("points", &subject.id("fig", "points")).words("samplers", &[subject.key]);
     let fence = fence.numbers("n", &subject.counts).with("dimensions", subject.d);
     let fence = if squares { fence.word("strata", "cells") } else { fence };
-    page.experiment(fence.caption(&caption).claims(claims::points(subject)));
+    page.experiment(&fence.caption(&caption).claims(claims::points(subject)));
 }
 
 fn spectrum(subject: &Subject, page: &mut Page<'_>) {
@@ -160,12 +160,12 @@ fn spectrum(subject: &Subject, page: &mut Page<'_>) {
     );
     let fence = Fence::new("spectrum", &subject.id("fig", "spectrum")).words("samplers", &[subject.key]);
     let fence = fence.with("n", n).with("replicates", SETS).with("reach", 40).word("show", "both");
-    page.experiment(fence.caption(&caption).claims(claims::spectrum(subject)));
+    page.experiment(&fence.caption(&caption).claims(claims::spectrum(subject)));
 }
 
 fn evenness(subject: &Subject, shelves: &[Shelf], page: &mut Page<'_>) {
     page.section("Evenness", "evenness");
-    let about = |key: &str| crate::catalogue::find(crate::metrics::METRICS, key).map(|metric| metric.about());
+    let about = |key: &str| crate::catalogue::find(crate::metrics::METRICS, key).map(crate::catalogue::Entry::about);
     let measures = measures(subject.d);
     let named = measures.iter().filter_map(|key| Some(member(Shelf::Measures, about(key)?, shelves)));
     page.block(&format!("Measured: {}.", named.collect::<Vec<_>>().join(", ")));
@@ -175,7 +175,7 @@ fn evenness(subject: &Subject, shelves: &[Shelf], page: &mut Page<'_>) {
     let fence = Fence::new("measures", &subject.id("tbl", "measures")).words("samplers", &[subject.key]);
     let fence = fence.numbers("n", &subject.counts).with("dimensions", subject.d).words("measures", measures);
     let fence = fence.with("strata", false).with("replicates", count).caption(&caption);
-    page.experiment(fence.claims(claims::measures(subject)));
+    page.experiment(&fence.claims(claims::measures(subject)));
 }
 
 /// What is measured in so many dimensions.
@@ -204,7 +204,7 @@ fn convergence(subject: &Subject, page: &mut Page<'_>) {
     let fence = Fence::new("convergence", &subject.id("fig", "convergence")).words("samplers", &[subject.key]);
     let fence = fence.words("integrands", subject.integrands()).numbers("n", &counts).with("replicates", sets);
     let fence = fence.with("dimensions", subject.d).caption(&caption);
-    page.experiment(fence.claims(claims::convergence(subject, &counts)));
+    page.experiment(&fence.claims(claims::convergence(subject, &counts)));
 }
 
 fn picture(subject: &Subject, page: &mut Page<'_>) {
@@ -233,7 +233,7 @@ fn picture(subject: &Subject, page: &mut Page<'_>) {
     let fence = fence.with("n", n).word("randomisation", if random { "pixel" } else { "shift" });
     let fence =
         fence.with("width", width).with("height", height).words("show", &["pictures", "differences"]).with("zoom", 2);
-    page.experiment(fence.caption(&caption));
+    page.experiment(&fence.caption(&caption));
 }
 
 fn limits(subject: &Subject, sampler: &dyn Sampler, manual: &Manual, page: &mut Page<'_>) {

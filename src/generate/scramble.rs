@@ -75,7 +75,7 @@ fn kept(scramble: &dyn Scramble, hosts: &[&str], page: &mut Page<'_>) {
         Fence::new("guarantees", &format!("tbl-scramble-{}", scramble.about().key)).words("samplers", &names(&pairs));
     let fence =
         fence.words("properties", &["latin", "cells", "net", "prefix", "fixed"]).with("n", 64).with("seeds", RUNS);
-    page.experiment(fence.caption(&caption).claim("consistent", "holds = true"));
+    page.experiment(&fence.caption(&caption).claim("consistent", "holds = true"));
 }
 
 fn points(scramble: &dyn Scramble, hosts: &[&str], page: &mut Page<'_>) {
@@ -86,7 +86,7 @@ fn points(scramble: &dyn Scramble, hosts: &[&str], page: &mut Page<'_>) {
         Fence::new("points", &format!("fig-scramble-{}", scramble.about().key)).words("samplers", &names(&pair));
     let fence = fence.numbers("n", &counts).word("strata", "cells").with("order", true);
     page.experiment(
-        fence.caption("The same points before and after, on as many equal cells. Colours follow their order."),
+        &fence.caption("The same points before and after, on as many equal cells. Colours follow their order."),
     );
 }
 
@@ -114,7 +114,7 @@ fn rate(scramble: &dyn Scramble, hosts: &[&str], page: &mut Page<'_>) {
         );
         fence
     };
-    page.experiment(fence);
+    page.experiment(&fence);
 }
 
 /// A sentence's beginning.

@@ -74,12 +74,12 @@ fn pieces(text: &str, shelves: &[Shelf]) -> Vec<Piece> {
 
 /// Code, a link or an escape at the beginning of `rest`, with its length.
 fn fixed(rest: &str, shelves: &[Shelf]) -> Option<(String, usize)> {
-    if rest.starts_with('\\') {
-        let length = 1 + rest[1..].chars().next()?.len_utf8();
+    if let Some(escaped) = rest.strip_prefix('\\') {
+        let length = 1 + escaped.chars().next()?.len_utf8();
         return Some((rest[..length].to_owned(), length));
     }
-    if rest.starts_with('`') {
-        let length = rest[1..].find('`')? + 2;
+    if let Some(code) = rest.strip_prefix('`') {
+        let length = code.find('`')? + 2;
         return Some((rest[..length].to_owned(), length));
     }
     if rest.starts_with("<http") {
@@ -306,7 +306,7 @@ fn tail(text: &str) -> usize {
 
 /// Whether every bar has its other.
 fn bars(tex: &str, more: &str) -> bool {
-    (tex.matches('|').count() + more.matches('|').count()) % 2 == 0
+    (tex.matches('|').count() + more.matches('|').count()).is_multiple_of(2)
 }
 
 /// How many brackets are open.

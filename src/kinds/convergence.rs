@@ -144,9 +144,8 @@ impl Kind for ConvergenceKind {
         let all = p.integrands.iter().zip(all).map(|(integrand, all)| errors(p, integrand, all));
         let mut all = all.collect::<Result<Vec<_>, _>>()?;
         if !all.iter().any(Errors::any) {
-            // One integrand among several may be estimated exactly.
-            let message = "every estimate is exact: there is no error to follow";
-            return Err(Failure::of("integrand", message).help("choose an integrand that varies"));
+            let failure = Failure::of("integrand", "every estimate is exact: there is no error to follow");
+            return Err(failure.help("choose an integrand that varies"));
         }
         let rest = all.split_off(1.min(all.len()));
         let first = all.pop().ok_or_else(|| Failure::of("integrands", "there is no integrand"))?;

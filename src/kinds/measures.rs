@@ -218,7 +218,7 @@ mod drawing {
         let mut table = Table::new(columns);
         for (row, n) in data.with_counts(p) {
             let head = named.then(|| Cell::text(row.title.as_str()));
-            let count = several.then(|| Cell::Integer(n as i64));
+            let count = several.then_some(Cell::Integer(n as i64));
             table.push(head.into_iter().chain(count).chain(cells(p, row)));
         }
         Drawing::Table(table.without_empty_columns())

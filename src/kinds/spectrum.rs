@@ -16,7 +16,7 @@ use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
 use crate::metrics::spectrum::{Spectrum as Powers, power};
 use crate::parameters::{choices, parameters};
-use crate::raster::{Png, Raster};
+use crate::raster::Png;
 use crate::samplers::Method;
 use crate::seed::Seed;
 use crate::stats::{portable, regression};
@@ -253,20 +253,15 @@ fn curve(p: &Spectrum, method: &Method, placing: &Placing) -> Result<Curve, Fail
         let powers: Vec<f64> = means.iter().filter_map(|means| Some(means.get(index)?.1)).collect();
         let (power, error) = mean_with_error(&powers);
         let frequency = squares.get(index).map_or(f64::NAN, |ring| ring.0.sqrt());
-        Mean {
-            frequency,
-            power,
-            error,
-            anisotropy: ring.anisotropy,
-            expected: exact.get(index).and_then(|ring| ring.1),
-        }
+        let expected = exact.get(index).and_then(|ring| ring.1);
+        Mean { frequency, power, error, anisotropy: ring.anisotropy, expected }
     };
     let rings: Vec<Mean> = averaged.radial().iter().enumerate().map(ring).collect();
     Ok(Curve {
         method: method.name(),
         title: method.title(),
         replicates: replicates as u32,
-        image: image(&averaged)?,
+        image: super::imaging::power_image(&averaged)?,
         mean: over(p.reach),
         low: over(low(p)),
         slope: slope(&rings[..low(p).min(rings.len())]),
@@ -315,22 +310,6 @@ fn slope(rings: &[Mean]) -> Option<(f64, Option<f64>)> {
     let y: Vec<f64> = positive().map(|ring| portable::log2(ring.power)).collect();
     let line = regression::least_squares(&x, &y).filter(|line| line.slope.is_finite())?;
     Some((line.slope, Some(line.slope_error).filter(|error| error.is_finite())))
-}
-
-/// Shades of grey in an image: enough to see, few enough to pack well.
-const SHADES: f64 = 32.0;
-
-/// The powers as shades: 0 black, 2 and more white; the frequency 0 black.
-fn image(powers: &Powers) -> Result<Png, Failure> {
-    let reach = powers.reach() as i32;
-    let shade = |(u, v): (i32, i32)| {
-        let share = if (u, v) == (0, 0) { 0.0 } else { (powers.at(u, v) / 2.0).clamp(0.0, 1.0) };
-        ((share * (SHADES - 1.0)).round() * 255.0 / (SHADES - 1.0)).round() as u8
-    };
-    let places = (-reach..=reach).rev().flat_map(|v| (-reach..=reach).map(move |u| (u, v)));
-    let side = 2 * powers.reach() as u32 + 1;
-    let raster = Raster::grey(side, side, places.map(shade).collect());
-    raster.png().map_err(|error| Failure::of("reach", error.to_string()))
 }
 
 mod drawing {

@@ -20,6 +20,7 @@ choices! {
     }
 }
 
+#[allow(clippy::derivable_impls, reason = "the macro of choices writes the enum")]
 impl Default for Audience {
     fn default() -> Self {
         Self::Instructor

@@ -1,5 +1,6 @@
 //! The site's settings: its address, pages that have moved, and where the text and the code can be read and edited.
 
+use std::fmt::Write as _;
 use std::ops::Range;
 
 use toml::de::DeValue;
@@ -8,7 +9,7 @@ use super::{Chapter, OWN_PAGES};
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic};
 use crate::parameters::{Complaint, Fields, Parameters, parameters};
-use crate::workspace::{CHAPTERS, CONFIGURATION, Workspace};
+use crate::workspace::{CHAPTERS, CONFIGURATION, Workspace, extension};
 
 parameters! {
     /// The keys of the table `[repository]`.
@@ -117,7 +118,8 @@ fn encoded(path: &str) -> String {
     for byte in path.bytes() {
         match byte {
             b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' | b'/' => out.push(char::from(byte)),
-            _ => out.push_str(&format!("%{byte:02X}")),
+            // Writing to a string cannot fail.
+            _ => drop(write!(out, "%{byte:02X}")),
         }
     }
     out
@@ -155,10 +157,10 @@ fn repository(fields: &mut Fields<'_>) -> Option<Repository> {
     let known: Vec<&str> = Written::docs().iter().map(|doc| doc.name).collect();
     inner.finish(&known);
     if let Some(written) = &written {
-        let patterns: [(&str, &Option<String>, &[&str], &[&str]); 3] = [
-            ("url", &written.url, &[], &[]),
-            ("edit_url", &written.edit_url, &["path"], &["path"]),
-            ("source_url", &written.source_url, &["path", "line"], &["commit", "path", "line"]),
+        let patterns = [
+            ("url", &written.url, &[][..], &[][..]),
+            ("edit_url", &written.edit_url, &["path"][..], &["path"][..]),
+            ("source_url", &written.source_url, &["path", "line"][..], &["commit", "path", "line"][..]),
         ];
         for (name, url, needed, known) in patterns {
             let Some(url) = url else { continue };
@@ -231,7 +233,7 @@ fn redirects(fields: &mut Fields<'_>) -> Vec<Redirect> {
 /// Whether a page of the book can have this path.
 fn is_page(path: &str) -> bool {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
-    path.ends_with(".html")
+    extension(path) == Some("html")
         && path.split('/').all(|part| !part.is_empty() && !part.starts_with('.') && part.chars().all(plain))
 }
 

@@ -48,9 +48,6 @@ pub struct Listing {
     pub emphasis: Emphasis,
 }
 
-/// The most characters in a line that a page has room for.
-const WIDEST: usize = 84;
-
 /// Reads every listing fence of a chapter; gives for each the index of its listing, unless it is wrong.
 pub(super) fn read_all(
     reading: &Reading<'_>,
@@ -94,11 +91,6 @@ fn read(fence: &Fence, reading: &Reading<'_>, seen: &mut Seen, diagnostics: &mut
         return None;
     }
     let (code, language, source) = code?;
-    if let Some(line) = code.lines().find(|line| line.chars().count() > WIDEST) {
-        let message = format!("a line of this listing is wider than {WIDEST} characters, and is cut on a page");
-        let warning = Diagnostic::warning(Code::WideListing, message).at_place(&place);
-        diagnostics.push(warning.help(format!("break it: `{}`", line.trim())));
-    }
     Some(Listing {
         id: written?.id,
         chapter: reading.index,

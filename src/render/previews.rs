@@ -134,13 +134,12 @@ fn defines(node: &Node, id: &str) -> bool {
 fn exhibit(rendering: &Rendering<'_>, index: usize) -> String {
     let exhibit = &rendering.plan.exhibits[index];
     let (caption, _) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
-    let (class, body) = match &rendering.shown[index].drawing {
-        Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter)),
-        _ => {
-            let images = matter::images(rendering, index).take(PICTURES);
-            let images: String = images.map(|image| format!("<img src=\"{image}\" alt=\"\">")).collect();
-            ("figure", format!("<div class=\"sheet\">{images}</div>"))
-        }
+    let (class, body) = if let Drawing::Table(drawn) = &rendering.shown[index].drawing {
+        ("table", table::html(drawn, &rendering.converter))
+    } else {
+        let images = matter::images(rendering, index).take(PICTURES);
+        let images: Vec<String> = images.map(|image| format!("<img src=\"{image}\" alt=\"\">")).collect();
+        ("figure", format!("<div class=\"sheet\">{}</div>", images.concat()))
     };
     let body = if body.len() <= TABLE { body } else { String::new() };
     let (id, label) = (&exhibit.id, label(rendering, &exhibit.id));

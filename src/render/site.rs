@@ -11,6 +11,7 @@ use super::{Book, Rendering, SITEMAP, pages};
 use crate::diag::Diagnostic;
 use crate::parse::Redirect;
 use crate::plan::escape;
+use crate::workspace::extension;
 
 /// The page for addresses that lead nowhere.
 const LOST: &str = "404.html";
@@ -122,7 +123,7 @@ pub(super) fn files(rendering: &Rendering<'_>, book: &mut Book) {
     let site = &rendering.course.configuration.site;
     let Some(base) = &site.base_url else { return };
     let is_moved = |path: &str| site.redirects.iter().any(|redirect| redirect.old == path);
-    let is_listed = |path: &&String| path.ends_with(".html") && path.as_str() != LOST && !is_moved(path);
+    let is_listed = |path: &&String| extension(path) == Some("html") && path.as_str() != LOST && !is_moved(path);
     let mut map = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<urlset xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n",
     );

@@ -68,10 +68,8 @@ fn heavy_page(path: &str, page: &str, budget: usize) -> Option<Diagnostic> {
     let diagnostic = heavy(&format!("`{path}` without its pictures"), bytes, ("page", budget));
     let diagnostic = diagnostic.help(format!("it has {}", listed(&shares)));
     let named: Vec<(String, usize)> = exhibits.into_iter().map(|(id, bytes)| (format!("`{id}`"), bytes)).collect();
-    Some(match named.is_empty() {
-        true => diagnostic,
-        false => diagnostic.help(format!("its heaviest exhibits without pictures are {}", listed(&named))),
-    })
+    let heaviest = || format!("its heaviest exhibits without pictures are {}", listed(&named));
+    Some(diagnostic.help_if((!named.is_empty()).then(heaviest)))
 }
 
 /// What a page consists of: the bytes of each of [`PARTS`]. A part within another belongs to the one that begins first.

@@ -13,7 +13,7 @@ fn an_appendix_has_a_letter_wherever_a_chapter_has_a_number() {
     assert!(notation.contains("<p class=\"chapter-number\">Appendix A</p>"));
     assert!(notation.contains("<h2 id=\"sec-notation\"><span class=\"number\">A.1</span> Symbols"));
     assert!(notation.contains("<span class=\"number\">A.1.1</span> And more"));
-    assert!(notation.contains(">(A.1)</a>") && notation.contains(">Definition A.1</span>"));
+    assert!(notation.contains(">(A.1)</a>") && notation.contains(">Definition A.1</a>"));
     assert!(notation.contains(">Figure A.1</a>") && notation.contains("In this appendix"));
     let one = page(&course, "one.html");
     let references = [
@@ -31,7 +31,7 @@ fn appendices_follow_the_chapters_in_every_list() {
     let index = page(&course, "index.html");
     let places: Vec<usize> = ["one.html", "two.html", "notation.html", "more.html"]
         .iter()
-        .map(|page| index.find(&format!("<a href=\"{page}\"><span class=\"number\">")).unwrap())
+        .map(|page| index.find(&format!("<a class=\"card\" href=\"{page}\">")).unwrap())
         .collect();
     assert!(places.is_sorted(), "{places:?}");
     assert_eq!(index.matches("<li class=\"appendix\">").count(), 2);

@@ -56,7 +56,7 @@ fn wrong_types_say_what_was_found() {
     complains(&fence("slopes = \"steep\""), Code::WrongType, "\"steep\"", &["expected a number"]);
     complains(&fence("n = \"2^4..3^5\""), Code::WrongType, "\"2^4..3^5\"", &["powers of one base"]);
     complains(&fence("n = \"many\""), Code::WrongType, "\"many\"", &["`many` is not a whole number", "2^4..2^14"]);
-    complains(&convergence("samplers = [\"sobol\"]\nintegrand = 3"), Code::WrongType, "3", &["an integrand"]);
+    complains(&convergence("samplers = [\"sobol\"]\nintegrand = true"), Code::WrongType, "true", &["an integrand"]);
 }
 
 #[test]
@@ -188,6 +188,7 @@ fn every_kind_documents_its_parameters_and_its_defaults_read() {
         ("point-bug", "bug") => "\"integer-division\"",
         ("coverage" | "averaging", "samplers") => "\"sobol+owen\"",
         (_, "samplers") => "\"independent\"",
+        ("surface", "integrand") => "\"gaussian\"",
         (_, "densities") => "\"1\"",
         _ => "\"exp-sin\"",
     };

@@ -288,5 +288,5 @@ fn pages_bring_controls_captions_and_key_steps() {
     );
     assert_eq!(with.split_once("step-strip").unwrap().1.matches("<svg").count(), 3);
     let without = page("kind = \"function\"\nintegrand = \"x\"");
-    assert!(!without.contains("stepper"));
+    assert!(!without.contains("class=\"stepper\"") && !without.contains("stepper.js"));
 }

@@ -1,6 +1,7 @@
 //! Imaging: pictures in parallel, the reference that many share, and what their errors are like.
 
 mod errors;
+mod powers;
 mod radial;
 mod randomisation;
 mod shades;
@@ -22,6 +23,7 @@ use crate::seed::Seed;
 use crate::stats::moments;
 
 pub use errors::{Errors, RINGS};
+pub use powers::power_image;
 pub use radial::{Radial, middle, radial};
 pub use randomisation::Randomisation;
 pub use shades::{signed, spectrum};

@@ -4,6 +4,11 @@
 //! function called `wrong` and the right one `right`, short enough to be read as listings; all that is measured of them is in
 //! the [`Found`] that `run` gives, and below the line `mod drawing {` it is only drawn and put into words.
 
+#![allow(
+    clippy::unnecessary_wraps,
+    reason = "every mistake has the same signature, whether its program can fail or not"
+)]
+
 mod drawing;
 mod exclusive_shuffle;
 mod found;

@@ -58,7 +58,9 @@ fn run(asked: &Asked, _: Seed) -> Result<Found, Failure> {
 fn measure(places: &[f64]) -> Side {
     let n = places.len();
     let mut counts = vec![0_u32; n];
-    places.iter().for_each(|&place| counts[slab(place, n)] += 1);
+    for &place in places {
+        counts[slab(place, n)] += 1;
+    }
     let empty: Vec<usize> = (0..n).filter(|&slab| counts[slab] == 0).collect();
     let together = |place: &f64| places.iter().filter(|other| *other == place).count();
     let border = |slab: usize| slab as f64 / n as f64;

@@ -133,7 +133,7 @@ mod drawing {
         let ticks = (0..n).step_by(step).map(|cell| (cell as f64, cell.to_string().into())).collect();
         let along = Axis::linear("cell").range(-0.5, n as f64 - 0.5).ticks_at(ticks);
         Panel::new(along, Axis::linear("*u* that leave").include(0.0))
-            .title(format!("Of 2^{{24}} *u*, {} cells", n).as_str())
+            .title(format!("Of 2^{{24}} *u*, {n} cells").as_str())
             .ratio(0.95)
             .with(Bars::new(edges, found.wrong.get("leaving").to_vec()).style(WRONG))
     }

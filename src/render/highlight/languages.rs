@@ -20,6 +20,7 @@ pub(super) enum Attribute {
 }
 
 /// The table of a language.
+#[allow(clippy::struct_excessive_bools, reason = "a table of what languages have and have not")]
 pub(super) struct Language {
     /// What fences and endings of files call it.
     pub(super) names: &'static [&'static str],

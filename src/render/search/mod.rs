@@ -8,6 +8,8 @@
 mod posts;
 mod words;
 
+use std::fmt::Write as _;
+
 use pulldown_cmark::{Event, Tag, TagEnd};
 use serde_json::{Value, json};
 
@@ -223,7 +225,7 @@ impl Gathering<'_> {
     /// The pages that the book makes of itself, and the kinds of experiments.
     fn matter(&mut self) {
         for page in matter::of(self.rendering) {
-            self.enter("Page", page.href, "", page.title.to_owned()).more = page.summary.to_owned();
+            self.enter("Page", page.href, "", page.title.to_owned()).more.push_str(page.summary);
         }
         for kind in kinds::KINDS {
             let about = kind.about();
@@ -256,7 +258,8 @@ impl Gathering<'_> {
             ("common", json!(common)),
         ];
         for (name, value) in parts {
-            script += &format!("\"{name}\":{value},\n");
+            // Writing to a string cannot fail.
+            let _ = writeln!(script, "\"{name}\":{value},");
         }
         script.truncate(script.len() - ",\n".len());
         script.push_str("\n});\n");
