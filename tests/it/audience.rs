@@ -191,7 +191,8 @@ fn course() -> Course {
 
 /// The names and the bytes of a book's files as one text.
 fn everything(book: &BTreeMap<String, Vec<u8>>) -> String {
-    book.iter().map(|(path, bytes)| format!("{path}\n{}\n", String::from_utf8_lossy(bytes))).collect()
+    let file = |(path, bytes): (&String, &Vec<u8>)| format!("{path}\n{}\n", String::from_utf8_lossy(bytes));
+    book.iter().map(file).collect::<Vec<_>>().concat()
 }
 
 /// What stands between `open` and the next `close`, each time.

@@ -2,11 +2,13 @@
 
 use std::process::Command;
 
+use workbook::workspace::extension;
+
 use crate::course::{Course, small};
 
 /// The pages of a book whose names end in `.html`, with their texts.
 fn pages(course: &Course) -> Vec<(String, String)> {
-    let book = course.book().into_iter().filter(|(path, _)| path.ends_with(".html"));
+    let book = course.book().into_iter().filter(|(path, _)| extension(path) == Some("html"));
     book.map(|(path, bytes)| (path, String::from_utf8(bytes).unwrap())).collect()
 }
 
