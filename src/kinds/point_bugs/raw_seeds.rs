@@ -1,7 +1,7 @@
 //! Hash-based Owen scrambling with consecutive seeds for the two axes: their first digits are always flipped oppositely.
 //!
 //! A hash whose carries run upward leaves its lowest bit as the seed's lowest bit has it, and of two consecutive seeds one is even. With
-//! one point a pixel, x and y never lie in the same half: E[xy] is near 3/16. Hashing the seed first mends it.
+//! one point a pixel, x and y never lie in the same half: the mean of `xy` is near 3/16. Hashing the seed first mends it.
 
 use super::{Asked, Bug, Count, Facts, Found, Rule, Side, empty_boxes, mean_of};
 use crate::kinds::Failure;
