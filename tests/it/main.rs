@@ -16,6 +16,7 @@ mod behaviour;
 mod bite;
 #[cfg(feature = "publish")]
 mod cache;
+#[cfg(feature = "publish")]
 mod catalogue;
 mod checks;
 #[cfg(feature = "publish")]
@@ -26,6 +27,7 @@ mod code;
 mod course;
 #[cfg(feature = "publish")]
 mod determinism;
+#[cfg(feature = "publish")]
 mod drawings;
 mod enumeration;
 #[cfg(feature = "publish")]
@@ -80,6 +82,7 @@ mod terms;
 mod tidy;
 #[cfg(feature = "publish")]
 mod traps;
+#[cfg(feature = "publish")]
 mod typed;
 #[cfg(feature = "publish")]
 mod web;
