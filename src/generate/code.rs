@@ -15,10 +15,12 @@ pub(super) fn item(about: &About) -> Option<String> {
     let types: Vec<&str> = about.source.lines().filter_map(implemented).collect();
     let methods =
         METHODS.iter().flat_map(|(method, least)| types.iter().map(move |kind| (format!("{kind}::{method}"), *least)));
+    let long = functions(about).map(|name| (name.to_owned(), 5));
     let functions = functions(about).map(|name| (name.to_owned(), 2));
     // Where nothing is long enough, something short will do.
     let short = METHODS.iter().flat_map(|(method, _)| types.iter().map(move |kind| (format!("{kind}::{method}"), 1)));
-    let all = methods.chain(functions).chain(short).map(|(name, least)| (format!("{module}::{name}"), least));
+    let all =
+        methods.chain(long).chain(functions).chain(short).map(|(name, least)| (format!("{module}::{name}"), least));
     first(all)
 }
 

@@ -74,7 +74,7 @@ fn claims(integrand: &dyn Integrand, d: usize) -> Vec<(String, String)> {
 
 /// The integral and its kin, as the exhibit of the shape gives them.
 fn exact(integrand: &dyn Integrand, d: usize, exhibit: &str, page: &mut Page<'_>) {
-    let mut rows = vec!["| | |".to_owned(), "|:--|--:|".to_owned()];
+    let mut rows = vec!["| Quantity | Value |".to_owned(), "|:--|--:|".to_owned()];
     let mut add = |known: bool, words: &str, value: &str| {
         if known {
             rows.push(format!("| {words} | `={exhibit}.{value}` |"));

@@ -23,7 +23,7 @@ pub(super) struct Fence {
 impl<'a> Page<'a> {
     /// A page with its title, its sentence and, where there is one, the exhibit that stands for it.
     pub(super) fn new(title: &str, summary: &str, picture: Option<&str>, shelves: &'a [Shelf]) -> Self {
-        let mut text = format!("+++\ntitle = {}\nsummary = {}\n", quoted(title), quoted(summary));
+        let mut text = format!("+++\ntitle = {}\nsummary = {}\n", quoted(&printed(title)), quoted(&printed(summary)));
         if let Some(id) = picture {
             // Writing to a string cannot fail.
             let _ = writeln!(text, "picture = {}", quoted(id));
@@ -55,6 +55,13 @@ impl<'a> Page<'a> {
     pub(super) fn told(&mut self, manual: &Manual, heads: &[&str]) {
         for (head, words) in manual.parts.iter().filter(|(head, _)| heads.contains(&head.as_str())) {
             self.block(&format!("**{head}.** {}", typeset(words, self.shelves)));
+        }
+    }
+
+    /// The same without the head.
+    pub(super) fn words(&mut self, manual: &Manual, head: &str) {
+        for (_, words) in manual.parts.iter().filter(|(own, _)| own == head) {
+            self.block(&typeset(words, self.shelves));
         }
     }
 
@@ -154,4 +161,82 @@ pub(super) fn plain(text: &str) -> String {
         out.push(c);
     }
     out
+}
+
+/// Scripts as signs of their own: what stands for a letter or a digit.
+const RAISED: &[(char, char)] = &[
+    ('0', '⁰'),
+    ('1', '¹'),
+    ('2', '²'),
+    ('3', '³'),
+    ('4', '⁴'),
+    ('5', '⁵'),
+    ('6', '⁶'),
+    ('7', '⁷'),
+    ('8', '⁸'),
+    ('9', '⁹'),
+    ('d', 'ᵈ'),
+    ('k', 'ᵏ'),
+    ('m', 'ᵐ'),
+    ('n', 'ⁿ'),
+    ('-', '⁻'),
+    ('+', '⁺'),
+    ('(', '⁽'),
+    (')', '⁾'),
+];
+/// The same below the line.
+const LOWERED: &[(char, char)] = &[
+    ('0', '₀'),
+    ('1', '₁'),
+    ('2', '₂'),
+    ('3', '₃'),
+    ('j', 'ⱼ'),
+    ('k', 'ₖ'),
+    ('m', 'ₘ'),
+    ('n', 'ₙ'),
+    ('-', '₋'),
+    ('+', '₊'),
+];
+
+/// A sentence that is no markdown, with printed signs: `n = k^d` has a raised d, an apostrophe is round.
+pub(super) fn printed(text: &str) -> String {
+    let text = text.replace('\'', "’").replace(" x ", " × ").replace(" - ", " − ").replace("<=", "≤");
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text.as_str();
+    while let Some(c) = rest.chars().next() {
+        let signs = if c == '^' { RAISED } else { LOWERED };
+        let found = script(&rest[c.len_utf8()..], signs).filter(|_| "^_".contains(c));
+        let (sign, length) = found.unwrap_or_else(|| (c.to_string(), 0));
+        out.push_str(&sign);
+        rest = &rest[c.len_utf8() + length..];
+    }
+    out
+}
+
+/// A script in signs of its own, with its length in the text: brackets around all of it are left out. None if a sign is missing.
+fn script(rest: &str, signs: &[(char, char)]) -> Option<(String, usize)> {
+    let sign = |c: char| signs.iter().find(|(plain, _)| *plain == c).map(|(_, sign)| *sign);
+    // A negative bracket stays one.
+    if let Some((inside, _)) = rest.strip_prefix("-(").and_then(|rest| rest.split_once(')')) {
+        let all = format!("-({inside})");
+        return all.chars().map(sign).collect::<Option<String>>().map(|script| (script, all.len()));
+    }
+    if let Some((inside, _)) = rest.strip_prefix('(').and_then(|rest| rest.split_once(')')) {
+        return inside.chars().map(sign).collect::<Option<String>>().map(|script| (script, inside.len() + 2));
+    }
+    let length = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '-').unwrap_or(rest.len());
+    let script: Option<String> = rest[..length].chars().map(sign).collect();
+    script.filter(|script| !script.is_empty()).map(|script| (script, length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::printed;
+
+    #[test]
+    fn sentences_have_printed_signs() {
+        assert_eq!(printed("n = k^d of Sobol's p x p, F_(k-1)"), "n = kᵈ of Sobol’s p × p, Fₖ₋₁");
+        assert_eq!(printed("(1 + x_j)^-(d+1), a_j^-2"), "(1 + xⱼ)⁻⁽ᵈ⁺¹⁾, aⱼ⁻²");
+        assert_eq!(printed("exp(-sum a_j^2 (x_j - u_j)^2), 2^(m/2)"), "exp(-sum aⱼ² (xⱼ − uⱼ)²), 2^(m/2)");
+    }
 }

@@ -31,7 +31,7 @@ pub(super) fn page(scramble: &'static dyn Scramble, shelves: &[Shelf]) -> String
         );
     }
     page.section("What it keeps", "keeps");
-    page.told(&manual, &["Guarantees"]);
+    page.words(&manual, "Guarantees");
     kept(scramble, &hosts, &mut page);
     page.section("Points before and after", "points");
     points(scramble, &hosts, &mut page);

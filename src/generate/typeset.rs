@@ -129,7 +129,7 @@ fn variable(rest: &str, before: Option<char>, plain: &str) -> Option<(String, bo
         // A factor and a letter.
         _ if word.trim_start_matches(|c: char| c.is_ascii_digit()).len() == 1 && word.len() > 1 => {
             // But no decimal, and no power of ten.
-            let number = before == Some('.') || rest[length..].starts_with('-');
+            let number = before == Some('.') || word.ends_with('e') && rest[length..].starts_with('-');
             (!number && word.ends_with(|c: char| c.is_ascii_lowercase())).then(|| format!("{word}{script}"))?
         }
         _ => letter(word, &rest[length..], &script)?,

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::Rendering;
 use super::matter;
 use super::pages::{ChapterContext, line};
+use crate::chart::Drawing;
 use crate::parse::{Chapter, Shelf};
 use crate::workspace::extension;
 
@@ -22,6 +23,8 @@ pub(super) struct MemberContext<'a> {
     image: Option<&'a str>,
     /// What the drawing is of, as a class.
     shelf: &'static str,
+    /// Whether it is a square of four sets, of which one is enough.
+    four: bool,
 }
 
 /// The pages of the shelves; the one that the page `current` belongs to is marked.
@@ -59,20 +62,30 @@ pub(super) fn members<'a>(rendering: &'a Rendering<'_>, index: usize) -> Vec<Mem
         return Vec::new();
     };
     let own = chapters.iter().enumerate().filter(|(_, chapter)| chapter.member && chapter.shelf == Some(shelf));
-    own.map(|(at, chapter)| MemberContext {
-        number: &chapter.number,
-        title: &chapter.front.title,
-        summary: &chapter.front.summary,
-        href: rendering.href(at),
-        image: image(rendering, at, chapter),
-        shelf: shelf.name(),
+    own.map(|(at, chapter)| {
+        let exhibit = stands_for(rendering, at, chapter);
+        MemberContext {
+            number: &chapter.number,
+            title: &chapter.front.title,
+            summary: &chapter.front.summary,
+            href: rendering.href(at),
+            image: exhibit
+                .and_then(|exhibit| matter::images(rendering, exhibit).find(|path| extension(path) == Some("svg"))),
+            shelf: shelf.name(),
+            four: shelf == Shelf::Samplers
+                && exhibit.is_some_and(|exhibit| is_square(&rendering.shown[exhibit].drawing)),
+        }
     })
     .collect()
 }
 
-/// The drawing of the exhibit that stands for a page.
-fn image<'a>(rendering: &'a Rendering<'_>, index: usize, chapter: &Chapter) -> Option<&'a str> {
+/// The exhibit that stands for a page, as an index into the plan.
+fn stands_for(rendering: &Rendering<'_>, index: usize, chapter: &Chapter) -> Option<usize> {
     let id = &chapter.front.picture.as_ref()?.id;
-    let exhibit = rendering.plan.exhibits.iter().position(|exhibit| exhibit.chapter == index && exhibit.id == *id)?;
-    matter::images(rendering, exhibit).find(|path| extension(path) == Some("svg"))
+    rendering.plan.exhibits.iter().position(|exhibit| exhibit.chapter == index && exhibit.id == *id)
+}
+
+/// Whether a drawing is about as high as it is wide.
+fn is_square(drawing: &Drawing) -> bool {
+    drawing.figure().is_some_and(|figure| figure.height > 0.9 * figure.width)
 }
