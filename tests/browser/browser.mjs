@@ -71,8 +71,9 @@ export async function open(made, url) {
   return { page, seen };
 }
 
-/** Goes to an address and waits until all of it is there: faces too, which load after the event. */
+/** Goes to an address and waits until all of it is there: faces too, which load after the event, and what is laid out only then. */
 export async function visit(page, url) {
   await page.goto(url, { waitUntil: "load" });
   await page.evaluate(() => document.fonts.ready.then(() => true));
+  await page.waitForSelector("html:not(.settling, .faceless, .parsing)", { state: "attached", timeout: 10000 });
 }
