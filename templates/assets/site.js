@@ -18,6 +18,8 @@
   // The page is laid out once: when all of it is there, and in its own faces, so that nothing moves. Who has a slow line does not wait for it.
   var faces = ["", "italic ", "600 "].map(function (style) { return style + '1em "Workbook Serif"'; })
     .concat(['1em "Workbook Sans"', '1em "Workbook Mono"', '1em "Workbook Math"']);
+  // What is done when all of it is laid out.
+  var settled = function () {};
   function end(state) { return function () { root.classList.remove(state); }; }
 
   // Of a long page, what is far below the window is laid out piece by piece when the rest is there; all at once when the reader does anything.
@@ -29,7 +31,9 @@
     later.forEach(function (block) { block.classList.add("later"); });
     function settle(count) {
       later.splice(0, count).forEach(function (block) { block.classList.remove("later"); });
-      if (!later.length) root.classList.remove("settling");
+      if (later.length || !root.classList.contains("settling")) return;
+      root.classList.remove("settling");
+      settled();
     }
     function piece() {
       settle(20);
@@ -83,28 +87,20 @@
     show();
   });
 
-  // Not every browser lets the keyboard reach a box that scrolls. Boxes are measured when they come near: to measure all at once would lay out
-  // the whole page. What is folded comes near when it is unfolded.
-  function reach(boxes) {
+  // Not every browser lets the keyboard reach a box that scrolls. All are measured before any is changed, so that nothing is laid out twice.
+  function reach(part) {
+    var boxes = Array.prototype.slice.call(part.querySelectorAll(".exhibit-body, .table-wrap, pre, math[display=block], .long-formula"));
     var wide = boxes.map(function (box) { return box.scrollWidth > box.clientWidth + 1; });
     boxes.forEach(function (box, at) {
       if (wide[at]) box.setAttribute("tabindex", "0");
       else box.removeAttribute("tabindex");
     });
   }
-  window.addEventListener("load", function () {
-    var boxes = document.querySelectorAll(".exhibit-body, .table-wrap, pre, math[display=block], .long-formula");
-    if (!window.IntersectionObserver) return reach(Array.prototype.slice.call(boxes));
-    var near = new IntersectionObserver(function (entries) {
-      reach(entries.filter(function (entry) { return entry.isIntersecting; }).map(function (entry) { return entry.target; }));
-    }, { rootMargin: "100%" });
-    function watch() {
-      near.disconnect();
-      boxes.forEach(function (box) { near.observe(box); });
-    }
-    watch();
-    window.addEventListener("resize", watch);
-  });
+  settled = function () { reach(document); };
+  window.addEventListener("load", function () { if (!root.classList.contains("settling")) settled(); });
+  window.addEventListener("resize", function () { reach(document); });
+  // What is folded has no width; the event does not bubble.
+  document.addEventListener("toggle", function (event) { if (event.target.open) reach(event.target); }, true);
 
   document.addEventListener("click", function (event) {
     var link = event.target.closest && event.target.closest("a[href]");
