@@ -55,6 +55,8 @@ export async function walk({ book, open, report }) {
   await session.send("CSS.enable");
   let seen = 0;
   for (const [style, characters] of styles) {
+    // What not even the machine has is drawn as the first face draws a character that does not exist.
+    for (const character of await boxes(page, style, [...characters.keys()])) report(characters.get(character), `${named(character)} is in no face: ${JSON.parse(style)[0].split(",")[0]} draws an empty box`);
     const strangers = async (list) => {
       const used = await fonts(style, list.join(" "));
       if (used.every((font) => font.isCustomFont)) return [];
@@ -66,8 +68,26 @@ export async function walk({ book, open, report }) {
     seen += list.length;
     for (const [character, font] of await strangers(list)) {
       const [family, weight, slant] = JSON.parse(style);
-      report(characters.get(character), `${character} (U+${character.codePointAt(0).toString(16).toUpperCase().padStart(4, "0")}) is not in ${family.split(",")[0]} ${weight} ${slant}; the machine's ${font} stands in`);
+      report(characters.get(character), `${named(character)} is not in ${family.split(",")[0]} ${weight} ${slant}; the machine's ${font} stands in`);
     }
   }
   return seen;
+}
+
+const named = (character) => `${character} (U+${character.codePointAt(0).toString(16).toUpperCase().padStart(4, "0")})`;
+
+function boxes(page, style, characters) {
+  return page.evaluate(({ style, characters }) => {
+    const [family, weight, slant] = JSON.parse(style);
+    const canvas = Object.assign(document.createElement("canvas"), { width: 64, height: 64 });
+    const ink = canvas.getContext("2d", { willReadFrequently: true });
+    ink.font = `${slant} ${weight} 32px ${family}`;
+    const drawn = (character) => {
+      ink.clearRect(0, 0, 64, 64);
+      ink.fillText(character, 8, 44);
+      return ink.getImageData(0, 0, 64, 64).data.join();
+    };
+    const none = drawn("\u0378");
+    return characters.filter((character) => drawn(character) === none);
+  }, { style, characters });
 }
