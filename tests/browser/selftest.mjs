@@ -35,6 +35,7 @@ const FAULTS = {
   keys: [["arrows that do nothing", heard(["ArrowRight", "ArrowLeft"]), /ArrowRight leads to/], ["no help", heard(["?"]), /opens nothing/], ["arrows that always turn", script('document.querySelectorAll("a").forEach((link) => link.addEventListener("keydown", (event) => { if (event.key === "ArrowRight") location.href = "index.html"; }));'), /has the focus/]],
   links: [["a dead link", inText('<a href="nowhere.html">Nowhere</a>'), /leads to no file/], ["a dead place", inText('<a href="#nowhere">Nowhere</a>'), /leads to no place/], ["an id given twice", inText('<p id="main">Twice</p>'), /more than once/]],
   narrow: [["a wide box", inText('<div style="width: 700px; height: 9px; background: red">Wide</div>'), /Wide/], ["a word that does not break", inText(`<p style="overflow-wrap: normal">${"unbreakable".repeat(20)}</p>`), /px wide/]],
+  notes: [["notes upon the text", inHead("<style>.side-note { margin-right: 0 !important; }</style>"), /not in the margin/], ["notes upon each other", inHead("<style>.side-note { position: absolute !important; top: 0; right: 0; float: none !important; }</style>"), /overlap/]],
   plain: [["text that needs a script", inText('<p style="visibility: hidden">Hidden</p>'), /Hidden/], ["a button that needs a script", inText('<button type="button">Dead</button>'), /Dead/]],
   present: [["keys that do nothing", heard(["ArrowRight", "ArrowDown", "PageDown", "n"]), /the walk ended at slide 1 of/]],
   previews: [["cards that are empty", script('new MutationObserver((all) => all.forEach(({ target }) => { const card = target.closest && target.closest(".preview"); if (card && card.textContent) card.textContent = ""; })).observe(document.body, { subtree: true, childList: true });'), /./], ["no cards", inHead("<style>.preview { display: none }</style>"), /no card/]],
@@ -50,9 +51,12 @@ const FAULTS = {
 // Not tried here: the search's logic has tests of its own.
 const UNTRIED = ["match"];
 
-/** Tries a gate on a book: one that looks at pages on the largest and the first, since breaking all of them takes longer and shows no more. */
+/** Tries a gate on a book: one that looks at pages on the first and on the largest that has what it `sees`, since all of them show no more. */
 async function tried(browser, gate, folder) {
-  const book = read(folder, gate.views ? [read(folder).pages[0].replace(".html", ""), "index"] : null);
+  const whole = read(folder);
+  const page = gate.sees ? whole.with(gate.sees) : whole.pages[0];
+  if (!page) return { failures: [], skipped: true };
+  const book = read(folder, gate.views ? [page.replace(".html", ""), "index"] : null);
   await run({ browser, book, gates: [gate] });
   return { failures: gate.failures, skipped: gate.skipped };
 }
