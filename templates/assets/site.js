@@ -89,7 +89,7 @@
 
   // Not every browser lets the keyboard reach a box that scrolls. All are measured before any is changed, so that nothing is laid out twice.
   function reach(part) {
-    var boxes = Array.prototype.slice.call(part.querySelectorAll(".exhibit-body, .table-wrap, pre, math[display=block], .long-formula"));
+    var boxes = Array.prototype.slice.call(part.querySelectorAll(":is(.exhibit-body, .table-wrap, pre, math[display=block], .long-formula):not([inert] *)"));
     var wide = boxes.map(function (box) { return box.scrollWidth > box.clientWidth + 1; });
     boxes.forEach(function (box, at) {
       if (wide[at]) box.setAttribute("tabindex", "0");
