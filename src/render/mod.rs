@@ -8,6 +8,7 @@ mod code;
 pub(crate) mod data;
 mod exhibit;
 mod highlight;
+mod inline;
 mod landing;
 pub(crate) mod machine;
 mod made;
