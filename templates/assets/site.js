@@ -39,7 +39,10 @@
       settle(20);
       if (later.length) requestIdleCallback(piece, { timeout: 50 });
     }
-    window.addEventListener("load", function () { requestIdleCallback(piece, { timeout: 200 }); });
+    // After the first frame, which must not wait for it.
+    window.addEventListener("load", function () {
+      requestAnimationFrame(function () { requestAnimationFrame(function () { requestIdleCallback(piece, { timeout: 200 }); }); });
+    });
     ["keydown", "pointerdown", "wheel", "touchstart", "beforeprint", "hashchange"].forEach(function (event) {
       window.addEventListener(event, function () { settle(later.length); }, { once: true, capture: true, passive: true });
     });
