@@ -11,9 +11,9 @@ use signal_hook::flag;
 
 use super::{Exit, Options, Readers, report};
 use crate::compose::Request;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Place, Severity};
 use crate::run::{How, Ran};
-use crate::serve::{Described, Settings, Teller, serve};
+use crate::serve::{Settings, Teller, serve};
 use crate::workspace::{self, Workspace};
 
 #[derive(Args)]
@@ -131,12 +131,13 @@ impl Teller for Voice {
         }
     }
 
-    fn describe(&self, diagnostic: &Diagnostic, workspace: &Workspace) -> Described {
-        let position = diagnostic.place.as_ref().map_or((1, 1), |place| {
-            let (line, column, _) = report::position(place, workspace);
-            (line, column)
-        });
-        Described { text: report::plain(diagnostic, workspace), position }
+    fn text(&self, diagnostic: &Diagnostic, workspace: &Workspace) -> String {
+        report::plain(diagnostic, workspace)
+    }
+
+    fn position(&self, place: &Place, workspace: &Workspace) -> (usize, usize) {
+        let (line, column, _) = report::position(place, workspace);
+        (line, column)
     }
 }
 

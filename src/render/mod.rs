@@ -37,6 +37,8 @@ use crate::parse::Course;
 use crate::plan::{Converter, Exhibit, Plan};
 use crate::workspace::{CHAPTERS, Workspace};
 
+pub use site::LOST;
+
 pub use proof::{Looks, Parts, Proof, of_preview};
 
 use citations::Citations;

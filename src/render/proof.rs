@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::citations::{Citations, cited};
 use super::templates::{self, Templates};
-use super::{Book, FIGURES, Rendering, data, files_of, machine, pages, previews, search, site};
+use super::{Book, FIGURES, Rendering, data, files_of, machine, pages, previews, search};
 use crate::diag::Diagnostic;
 use crate::exhibits::Shown;
 use crate::kinds::Experiment;
@@ -111,11 +111,6 @@ impl Proof {
         let mut told = Vec::new();
         let page = pages::page(&self.rendering(true), path, &mut told)?;
         Some((page, told))
-    }
-
-    /// The page that stands for those that are not there.
-    pub fn lost(&self) -> String {
-        self.page(site::LOST).map(|(page, _)| page).unwrap_or_default()
     }
 
     /// The file at this path, if the book has one there that is no page. The map of the site and its card are only for the site itself.

@@ -14,7 +14,7 @@ use crate::plan::escape;
 use crate::workspace::extension;
 
 /// The page for addresses that lead nowhere.
-pub(super) const LOST: &str = "404.html";
+pub const LOST: &str = "404.html";
 /// The picture that stands for the book where somebody links to it.
 const CARD: &str = "assets/card.png";
 

@@ -10,6 +10,8 @@ use crate::sources::Digest;
 
 /// Runs experiments on threads of its own.
 pub struct Runner {
+    threads: usize,
+    /// Where what is wanted now runs. What was wanted before goes on where it is, and so does not keep it waiting.
     pool: Option<rayon::ThreadPool>,
     shared: Arc<Shared>,
 }
@@ -32,19 +34,29 @@ struct Queue {
 impl Runner {
     /// A runner on `threads` threads, which tells `done` of each result.
     pub fn new(threads: usize, cache: Option<Cache>, done: impl Fn(Ran) + Send + Sync + 'static) -> Self {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.max(1)).build().ok();
-        Self { pool, shared: Arc::new(Shared { queue: Mutex::default(), cache, done: Box::new(done) }) }
+        let shared = Arc::new(Shared { queue: Mutex::default(), cache, done: Box::new(done) });
+        Self { threads: threads.max(1), pool: None, shared }
     }
 
     /// Wants the results of `jobs` and of no others: what waited is dropped, what is under way is not begun twice.
-    pub fn want(&self, jobs: Vec<Job>) {
+    pub fn want(&mut self, jobs: Vec<Job>) {
         let mut jobs = distinct(jobs);
         let mut queue = self.shared.queue();
         jobs.retain(|job| !queue.running.contains(&job.key.digest()));
         jobs.sort_by_key(|job| job.experiment.weight());
+        let known: BTreeSet<Digest> = queue.waiting.iter().map(|job| job.key.digest()).collect();
+        let new = jobs.iter().any(|job| !known.contains(&job.key.digest()));
         let due = jobs.len();
         queue.waiting = jobs;
         drop(queue);
+        if new {
+            self.begin(due);
+        }
+    }
+
+    /// Lets threads take the next `due` that wait.
+    fn begin(&mut self, due: usize) {
+        self.pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).build().ok();
         for _ in 0..due {
             let shared = Arc::clone(&self.shared);
             match &self.pool {

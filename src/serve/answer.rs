@@ -10,7 +10,7 @@ use super::desk::Desk;
 use super::guard::{self, Rules};
 use super::http::{self, Head, NoRequest, Reply};
 use super::page::OWN;
-use crate::render::{Looks, of_preview};
+use crate::render::{LOST, Looks, of_preview};
 
 /// The most connections at a time.
 const MOST: usize = 128;
@@ -126,17 +126,25 @@ fn answer(head: &Head, desk: &Desk) -> Reply {
         return own(name, &head.target, desk);
     }
     let path = if path.is_empty() { "index.html".to_owned() } else { path };
-    if let Some(page) = desk.page(&path) {
-        return Reply { status: 200, kind: http::kind_of("html"), body: page.html(&path, &looks(desk)).into_bytes() };
+    if path.ends_with(".html") {
+        return page(&path, desk);
     }
-    let Some(proof) = desk.now().proof else { return Reply::refusal(404, "there is no book yet") };
-    match proof.file(&path) {
+    match desk.now().proof.and_then(|proof| proof.file(&path)) {
         Some(body) => Reply { status: 200, kind: http::kind_of(&path), body },
-        None if path.ends_with(".html") => {
-            Reply { status: 404, kind: http::kind_of("html"), body: proof.lost().into_bytes() }
-        }
         None => Reply::refusal(404, "the book has no such file"),
     }
+}
+
+/// The page at this path, or the one that stands for those that are not there.
+fn page(path: &str, desk: &Desk) -> Reply {
+    let (status, page) = match desk.page(path) {
+        Some(page) => (200, page),
+        None => match desk.page(LOST) {
+            Some(page) => (404, page),
+            None => return Reply::refusal(404, "the book has no such page"),
+        },
+    };
+    Reply { status, kind: http::kind_of("html"), body: page.html(path, &looks(desk)).into_bytes() }
 }
 
 fn looks(desk: &Desk) -> Looks {

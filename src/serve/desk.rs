@@ -93,12 +93,10 @@ impl Desk {
             return Some(page);
         }
         // Rendered without holding anything, so that others need not wait.
-        let (text, told) = proof.page(path)?;
-        let page = if crate::diag::any_error(&told) {
-            Arc::new(blank("This page cannot be made."))
-        } else {
-            Arc::new(Page::new(text))
-        };
+        let (text, _) = proof.page(path)?;
+        // A template that is broken gives nothing.
+        let page =
+            if text.is_empty() { Arc::new(blank("This page cannot be made.")) } else { Arc::new(Page::new(text)) };
         let mut pages = lock(&self.pages);
         if pages.edition < edition {
             pages.edition = edition;

@@ -20,7 +20,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use crate::compose::Request;
-use crate::diag::{Code, Diagnostic};
+use crate::diag::{Code, Diagnostic, Place};
 use crate::run::Ran;
 use crate::workspace::Workspace;
 
@@ -46,15 +46,6 @@ pub struct Settings {
     pub editor: String,
 }
 
-/// A diagnostic for people.
-#[derive(Debug, Clone)]
-pub struct Described {
-    /// As the terminal has it.
-    pub text: String,
-    /// The line and the column of its place, from 1.
-    pub position: (usize, usize),
-}
-
 /// Who tells people how it goes.
 pub trait Teller: Send + Sync {
     /// The server listens at this address.
@@ -63,8 +54,10 @@ pub trait Teller: Send + Sync {
     fn found(&self, found: &[Diagnostic], workspace: &Workspace);
     /// An experiment has run.
     fn ran(&self, ran: &Ran);
-    /// A diagnostic as it is told.
-    fn describe(&self, diagnostic: &Diagnostic, workspace: &Workspace) -> Described;
+    /// A diagnostic as the terminal has it.
+    fn text(&self, diagnostic: &Diagnostic, workspace: &Workspace) -> String;
+    /// The line and the column of a place, from 1.
+    fn position(&self, place: &Place, workspace: &Workspace) -> (usize, usize);
 }
 
 /// Serves until `stop` is set. What keeps it from beginning is an error.

@@ -80,15 +80,19 @@ pub(super) fn text(state: &State<'_>, teller: &dyn Teller, editor: &Editor) -> S
 }
 
 fn one(found: &Diagnostic, workspace: &Workspace, teller: &dyn Teller, editor: &Editor) -> Value {
-    let described = teller.describe(found, workspace);
     let place = found.place.as_ref().map(|place| {
-        let (line, column) = described.position;
+        let position = teller.position(place, workspace);
         // What code wrote has no file.
         let is_file = place.file.starts_with(CHAPTERS) || place.file.starts_with(TEMPLATES);
-        let link = is_file.then(|| editor.link(&place.file, described.position));
-        json!({ "text": format!("{}:{line}:{column}", place.file), "link": link })
+        let link = is_file.then(|| editor.link(&place.file, position));
+        json!({ "text": format!("{}:{}:{}", place.file, position.0, position.1), "link": link })
     });
-    json!({ "code": found.code.id(), "message": found.message, "text": described.text, "place": place })
+    // There may be many warnings, and nobody has asked to see them yet: they come without an excerpt.
+    let text = match found.severity {
+        Severity::Error => teller.text(found, workspace),
+        Severity::Warning => [std::slice::from_ref(&found.message), &found.help].concat().join("\n"),
+    };
+    json!({ "code": found.code.id(), "message": found.message, "text": text, "place": place })
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
@@ -30,43 +30,22 @@ enum Message {
     Files,
     /// An experiment has run.
     Ran(Box<Ran>),
-}
-
-/// The way to the thread, which can be asked whether anything is on it.
-#[derive(Clone)]
-struct Post {
-    sender: Sender<Message>,
-    waiting: Arc<AtomicUsize>,
-}
-
-impl Post {
-    fn send(&self, message: Message) {
-        self.waiting.fetch_add(1, Ordering::Relaxed);
-        // The thread lives as long as the program.
-        let _ = self.sender.send(message);
-    }
-
-    fn is_empty(&self) -> bool {
-        self.waiting.load(Ordering::Relaxed) == 0
-    }
-
-    fn taken(&self) {
-        self.waiting.fetch_sub(1, Ordering::Relaxed);
-    }
+    /// The whole book of this turn has been looked through, and this was found.
+    Looked(u64, Vec<Diagnostic>),
 }
 
 /// Makes the book of the course whenever it changes.
 pub(super) fn work(settings: &Settings, teller: &dyn Teller, desk: &Desk) {
     let (sender, receiver) = channel();
-    let post = Post { sender, waiting: Arc::default() };
     let request = &settings.request;
     let runner = {
-        let post = post.clone();
-        Runner::new(request.threads, request.cache(), move |ran| post.send(Message::Ran(Box::new(ran))))
+        let sender = sender.clone();
+        // The thread lives as long as the program.
+        Runner::new(request.threads, request.cache(), move |ran| drop(sender.send(Message::Ran(Box::new(ran)))))
     };
     let watch = {
-        let post = post.clone();
-        Watch::new(&request.root, move || post.send(Message::Files))
+        let sender = sender.clone();
+        Watch::new(&request.root, move || drop(sender.send(Message::Files)))
     };
     let editor = Editor::new(&request.root, &settings.editor);
     let mut worker = Worker {
@@ -78,12 +57,13 @@ pub(super) fn work(settings: &Settings, teller: &dyn Teller, desk: &Desk) {
         editor,
         told: Vec::new(),
         last: None,
+        turn: Arc::default(),
     };
     if worker.watch.blind() {
         teller.found(&[blind()], &Workspace::default());
     }
     worker.make(true, false);
-    worker.follow(&receiver, &post);
+    worker.follow(&receiver, &sender);
 }
 
 struct Worker<'a> {
@@ -95,8 +75,10 @@ struct Worker<'a> {
     editor: Editor,
     /// What was told last.
     told: Vec<Diagnostic>,
-    /// What was put on the desk last, as long as its book has not been looked through.
+    /// What was put on the desk last, if the course was not too wrong for a book.
     last: Option<Latest>,
+    /// How many times something was put on the desk.
+    turn: Arc<AtomicU64>,
 }
 
 /// An update, but for what is to be run.
@@ -105,15 +87,17 @@ struct Latest {
     found: Vec<Diagnostic>,
     workspace: Arc<Workspace>,
     stale: Vec<String>,
+    /// Whether its whole book is looked through, or has been.
+    looked: bool,
 }
 
 impl Worker<'_> {
     /// Waits for what comes, and makes what follows from it.
-    fn follow(&mut self, receiver: &Receiver<Message>, post: &Post) {
+    fn follow(&mut self, receiver: &Receiver<Message>, sender: &Sender<Message>) {
         loop {
             match receiver.recv_timeout(QUIET) {
                 Ok(first) => {
-                    let (files, results) = self.gather(first, receiver, post);
+                    let (files, results) = self.gather(first, receiver);
                     if files {
                         self.watch.look();
                     }
@@ -125,7 +109,7 @@ impl Worker<'_> {
                     if self.watch.look() || self.watch.blind() {
                         self.make(true, false);
                     }
-                    self.look_through(post);
+                    self.look_through(sender);
                 }
                 Err(RecvTimeoutError::Disconnected) => return,
             }
@@ -133,19 +117,19 @@ impl Worker<'_> {
     }
 
     /// Takes all that has come: says whether files may have changed, and whether there are results that are wanted.
-    fn gather(&mut self, first: Message, receiver: &Receiver<Message>, post: &Post) -> (bool, bool) {
+    fn gather(&mut self, first: Message, receiver: &Receiver<Message>) -> (bool, bool) {
         let (mut files, mut results) = (false, false);
         let mut next = Some(first);
         for _ in 0..=RESTS {
             let mut more = false;
             while let Some(message) = next.take().or_else(|| receiver.try_recv().ok()) {
-                post.taken();
                 match message {
                     Message::Files => more = true,
                     Message::Ran(ran) => {
                         self.teller.ran(&ran);
                         results |= self.session.take(&ran);
                     }
+                    Message::Looked(turn, told) => self.looked(turn, told),
                 }
             }
             files |= more;
@@ -181,11 +165,12 @@ impl Worker<'_> {
     /// Puts what has been made on the desk, then runs what is due.
     fn put(&mut self, update: Update) {
         let Update { proof, found, workspace, stale, due } = update;
+        self.turn.fetch_add(1, Ordering::Relaxed);
         self.tell(&found, &workspace, &stale, proof.clone());
         if let Some(due) = due {
             self.runner.want(due);
         }
-        self.last = proof.map(|proof| Latest { proof, found, workspace, stale });
+        self.last = proof.map(|proof| Latest { proof, found, workspace, stale, looked: false });
     }
 
     fn tell(&mut self, found: &[Diagnostic], workspace: &Workspace, stale: &[String], proof: Option<Arc<Proof>>) {
@@ -196,24 +181,34 @@ impl Worker<'_> {
         }
     }
 
-    /// Looks through the whole book as a build does, unless something comes: what is found is told, too.
-    fn look_through(&mut self, post: &Post) {
-        let Some(latest) = self.last.take() else { return };
-        let go_on = || post.is_empty();
-        let looked = catch_unwind(AssertUnwindSafe(|| {
-            let (book, mut told) = latest.proof.book(&go_on)?;
-            told.extend(verify::book(&book, &latest.proof.parts().course));
-            Some(told)
-        }));
-        match looked {
-            Ok(Some(told)) if told.is_empty() => {}
-            Ok(Some(told)) => {
-                let found: Vec<Diagnostic> = latest.found.into_iter().chain(told).collect();
-                self.tell(&found, &latest.workspace, &latest.stale, None);
-            }
-            Ok(None) => self.last = Some(latest),
-            Err(_) => {}
+    /// Looks through the whole book as a build does, in a thread of its own that ends as soon as there is another book.
+    fn look_through(&mut self, sender: &Sender<Message>) {
+        let Some(latest) = self.last.as_ref().filter(|latest| !latest.looked && latest.stale.is_empty()) else {
+            return;
+        };
+        let (proof, turn, sender) = (Arc::clone(&latest.proof), Arc::clone(&self.turn), sender.clone());
+        let of = turn.load(Ordering::Relaxed);
+        if let Some(latest) = &mut self.last {
+            latest.looked = true;
         }
+        std::thread::spawn(move || {
+            let go_on = || turn.load(Ordering::Relaxed) == of;
+            if let Some((book, mut told)) = proof.book(&go_on) {
+                told.extend(verify::book(&book, &proof.parts().course));
+                let _ = sender.send(Message::Looked(of, told));
+            }
+        });
+    }
+
+    /// Tells what was found in the whole book of a turn, if that is still the last.
+    fn looked(&mut self, turn: u64, told: Vec<Diagnostic>) {
+        if turn != self.turn.load(Ordering::Relaxed) || told.is_empty() {
+            return;
+        }
+        let Some(Latest { found, workspace, stale, .. }) = self.last.as_mut() else { return };
+        found.extend(told);
+        let (found, workspace, stale) = (found.clone(), Arc::clone(workspace), stale.clone());
+        self.tell(&found, &workspace, &stale, None);
     }
 }
 

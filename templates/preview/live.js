@@ -197,8 +197,9 @@
   }
 
   function apply(patch) {
-    if (document.body.classList.contains("live-blank") || (scripts && patch.scripts !== scripts)) return location.reload();
+    if (scripts && patch.scripts !== scripts) return location.reload();
     if (patch.digest !== digest) {
+      if (document.body.classList.contains("live-blank")) return location.reload();
       var parts = patch.parts, first = parts[0], last = parts[parts.length - 1], done = true;
       // The browser keeps a place of its own, and would do it twice.
       root.style.overflowAnchor = "none";
