@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use crate::diag::{Diagnostic, any_error};
 use crate::exhibits::{Keyed, Shown};
-use crate::parse::{Audience, Course};
+use crate::parse::{Audience, Configuration, Course, Generated, Shelf};
 use crate::plan::{Exhibit, Plan};
 use crate::render::Book;
 use crate::run::{Cache, Job, Observer, Ran};
@@ -93,22 +93,43 @@ pub struct Planned {
     pub timings: Vec<(&'static str, Duration)>,
 }
 
+/// What is known of a course that is checked again and again: what has not changed is not read anew.
+#[derive(Default)]
+pub struct Memory {
+    workspace: Workspace,
+    generated: Option<(Vec<Shelf>, Vec<Generated>)>,
+    /// The chapters as parsed.
+    pub parsed: parse::Memo,
+    /// Their parts of the plan.
+    pub planned: plan::Memo,
+    history: Option<((bool, bool), (History, Vec<Diagnostic>))>,
+}
+
 /// Reads, parses and plans the course: all that can be known without running.
 pub fn check(request: &Request) -> Planned {
+    check_again(request, &mut Memory::default())
+}
+
+/// The same, with what is known from the last time.
+pub fn check_again(request: &Request, memory: &mut Memory) -> Planned {
     let mut clock = Clock::default();
     let (mut workspace, mut diagnostics) = clock.time("read", || workspace::load(&request.root));
+    workspace.share(&memory.workspace);
     let course_digest = receipt::course(&workspace);
     let (configuration, complaints) = parse::configuration(&workspace);
     diagnostics.extend(complaints);
-    let generated = clock.time("generate", || generate::chapters(&configuration));
+    let generated = clock.time("generate", || memory.generated(&configuration));
     workspace.texts.extend(generated.iter().map(|page| (Arc::clone(&page.source.path), page.source.clone())));
-    let (course, complaints) = clock.time("parse", || parse::course(configuration, &workspace, &generated));
+    let parsed = &mut memory.parsed;
+    let (course, complaints) =
+        clock.time("parse", || parse::course_again(configuration, &workspace, &generated, parsed));
     diagnostics.extend(complaints);
-    let (plan, complaints) = clock.time("plan", || plan::plan(&course, &workspace));
+    let (plan, complaints) = clock.time("plan", || plan::plan_again(&course, &workspace, &mut memory.planned));
     diagnostics.extend(complaints);
     let audience = request.audience.unwrap_or(course.configuration.audience);
-    let (history, complaints) = history(request, &course);
+    let (history, complaints) = memory.history(request, &course);
     workspace.history = history;
+    memory.workspace.clone_from(&workspace);
     diagnostics.extend(complaints);
     let withheld = BTreeSet::new();
     let mut planned =
@@ -120,10 +141,29 @@ pub fn check(request: &Request) -> Planned {
     planned
 }
 
-/// What git says, if the course wants to know.
-fn history(request: &Request, course: &Course) -> (History, Vec<Diagnostic>) {
-    let repository = &course.configuration.site.repository;
-    workspace::history::ask(&request.root, repository.asks_for_commit(), repository.last_change)
+impl Memory {
+    /// The chapters that code writes: the same as long as the same shelves are asked for.
+    fn generated(&mut self, configuration: &Configuration) -> Vec<Generated> {
+        let shelves = &configuration.catalogue;
+        if let Some((_, generated)) = self.generated.as_ref().filter(|(known, _)| known == shelves) {
+            return generated.clone();
+        }
+        let generated = generate::chapters(configuration);
+        self.generated = Some((shelves.clone(), generated.clone()));
+        generated
+    }
+
+    /// What git says, if the course wants to know; it is asked once.
+    fn history(&mut self, request: &Request, course: &Course) -> (History, Vec<Diagnostic>) {
+        let repository = &course.configuration.site.repository;
+        let wanted = (repository.asks_for_commit(), repository.last_change);
+        if let Some((_, said)) = self.history.as_ref().filter(|(known, _)| *known == wanted) {
+            return said.clone();
+        }
+        let said = workspace::history::ask(&request.root, wanted.0, wanted.1);
+        self.history = Some((wanted, said.clone()));
+        said
+    }
 }
 
 /// The same without solutions. The whole has been planned before, so that its numbers stay, and its mistakes are told.

@@ -149,6 +149,8 @@ codes! {
     Unwritable = "W0009";
     /// The folder to build into holds something else.
     NotABook = "W0010";
+    /// A preview cannot be served at an address.
+    Address = "W0013";
     /// `workbook.toml` is broken.
     Configuration = "W0005";
     /// A chapter is listed but missing, or there but not listed.

@@ -63,6 +63,8 @@ pub mod render;
 #[cfg(feature = "publish")]
 pub mod run;
 #[cfg(feature = "publish")]
+pub mod serve;
+#[cfg(feature = "publish")]
 pub mod sources;
 #[cfg(feature = "publish")]
 pub mod verify;

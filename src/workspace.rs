@@ -1,6 +1,7 @@
 //! The workspace: every input of a course, read once and sorted. The only reader of the course's files.
 
 pub mod history;
+pub mod watch;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -57,6 +58,20 @@ impl Workspace {
     /// The chapters in the folder, whether listed or not, in the order of their names.
     pub fn chapters(&self) -> impl Iterator<Item = &Source> {
         self.texts.values().filter(|source| chapter_stem(&source.path).is_some())
+    }
+
+    /// Takes from `old` each file that is still the same, so that what is unchanged can be told without being read again.
+    pub fn share(&mut self, old: &Self) {
+        for (path, source) in &mut self.texts {
+            if let Some(before) = old.texts.get(path).filter(|before| before.text == source.text) {
+                source.clone_from(before);
+            }
+        }
+        for (path, bytes) in &mut self.blobs {
+            if let Some(before) = old.blobs.get(path).filter(|before| *before == bytes) {
+                bytes.clone_from(before);
+            }
+        }
     }
 
     /// The text of a file for a diagnostic's excerpt.

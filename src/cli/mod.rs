@@ -10,6 +10,7 @@ mod points;
 mod progress;
 mod report;
 mod run_one;
+mod serve;
 mod timings;
 mod verify;
 mod why;
@@ -90,6 +91,8 @@ fn among(formats: &[Format]) -> impl TypedValueParser<Value = Format> + use<> {
 enum Command {
     /// Make the book
     Build(Readers),
+    /// Show the course in a browser, and follow its changes
+    Serve(serve::Arguments),
     /// Tell every mistake that can be known without running
     Check(Readers),
     /// Compute everything anew and compare it with the lock
@@ -136,6 +139,7 @@ pub fn run() -> ExitCode {
     let cli = Cli::parse();
     let exit = match cli.command {
         Command::Build(readers) => build::run(&readers, &cli.options),
+        Command::Serve(arguments) => serve::run(arguments, &cli.options),
         Command::Check(readers) => check::run(&readers, &cli.options),
         Command::Verify => verify::run(&cli.options),
         Command::Accept(arguments) => accept::run(&arguments, &cli.options),
@@ -178,7 +182,7 @@ impl Exit {
 
     fn of_code(code: Code) -> Self {
         match code {
-            Code::Unreadable | Code::Unwritable => Self::System,
+            Code::Unreadable | Code::Unwritable | Code::Address => Self::System,
             Code::NoCourse | Code::NotABook => Self::Call,
             _ => Self::Course,
         }

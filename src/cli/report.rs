@@ -84,6 +84,15 @@ fn coloured() -> bool {
 }
 
 fn human(diagnostic: &Diagnostic, workspace: &Workspace) -> String {
+    rendered(diagnostic, workspace, &if coloured() { Renderer::styled() } else { Renderer::plain() })
+}
+
+/// A diagnostic as people read it elsewhere than on a terminal.
+pub(super) fn plain(diagnostic: &Diagnostic, workspace: &Workspace) -> String {
+    rendered(diagnostic, workspace, &Renderer::plain())
+}
+
+fn rendered(diagnostic: &Diagnostic, workspace: &Workspace, renderer: &Renderer) -> String {
     let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
@@ -105,12 +114,11 @@ fn human(diagnostic: &Diagnostic, workspace: &Workspace) -> String {
     for help in &diagnostic.help {
         group = group.element(Level::HELP.message(help.as_str()));
     }
-    let renderer = if coloured() { Renderer::styled() } else { Renderer::plain() };
     format!("{}\n", renderer.render(&[group]))
 }
 
 /// The line and column of a place, both from 1, the column in characters; and the column of its end on that line.
-fn position(place: &Place, workspace: &Workspace) -> (usize, usize, usize) {
+pub(super) fn position(place: &Place, workspace: &Workspace) -> (usize, usize, usize) {
     let text = workspace.excerpt(&place.file).unwrap_or_default();
     let start = text.floor_char_boundary(place.range.start.min(text.len()));
     let end = text.floor_char_boundary(place.range.end.clamp(start, text.len()));

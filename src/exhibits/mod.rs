@@ -17,13 +17,14 @@ pub use values::{check as check_values, computed};
 pub use verdict::Verdict;
 
 /// An exhibit ready to be put on a page.
+#[derive(Clone)]
 pub struct Shown {
     /// The digest of its key.
     pub key: String,
     /// The numbers.
     pub outcome: Arc<Outcome>,
     /// The figure or table.
-    pub drawing: Drawing,
+    pub drawing: Arc<Drawing>,
     /// Words for those who cannot see it.
     pub alt: String,
     /// The verdict on each of its claims, in the order written; a claim with `*` has one for each value.
@@ -35,17 +36,35 @@ pub type Keyed = (String, Arc<Outcome>);
 
 /// Draws every exhibit of the plan; `outcomes` are its results with the digests of their keys, in its order, where there are any.
 pub fn show(plan: &Plan, outcomes: &[Option<Keyed>]) -> (Vec<Option<Shown>>, Vec<Diagnostic>) {
+    show_with(plan, outcomes, &mut |_, exhibit, (_, outcome)| {
+        let alt = words(exhibit, outcome);
+        Ok((Arc::new(draw(exhibit, outcome, &alt)?), alt))
+    })
+}
+
+/// A drawing with its words.
+pub type Drawn = (Arc<Drawing>, String);
+
+/// The same, with drawings and words from `drawn`, which gets an exhibit by its place in the plan.
+pub fn show_with(
+    plan: &Plan,
+    outcomes: &[Option<Keyed>],
+    drawn: &mut dyn FnMut(usize, &Exhibit, &Keyed) -> Result<Drawn, Failure>,
+) -> (Vec<Option<Shown>>, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
     let values = |id: &str| -> Option<&Values> {
         let index = plan.exhibits.iter().position(|exhibit| exhibit.id == id)?;
         outcomes.get(index)?.as_ref().map(|(_, outcome)| &outcome.values)
     };
-    let shown = plan.exhibits.iter().zip(outcomes).map(|(exhibit, outcome)| {
-        let (key, outcome) = outcome.clone()?;
-        let verdicts = verdict::judge(exhibit, &outcome.values, &values, &mut diagnostics);
-        let alt = alternative(exhibit, &outcome, &mut diagnostics);
-        match draw(exhibit, &outcome, &alt) {
-            Ok(drawing) => Some(Shown { key, outcome, drawing, alt, verdicts }),
+    let shown = plan.exhibits.iter().zip(outcomes).enumerate().map(|(index, (exhibit, keyed))| {
+        let keyed = keyed.as_ref()?;
+        let verdicts = verdict::judge(exhibit, &keyed.1.values, &values, &mut diagnostics);
+        match drawn(index, exhibit, keyed) {
+            Ok((drawing, alt)) => {
+                diagnostics.extend(wordless(exhibit, &alt));
+                let (key, outcome) = keyed.clone();
+                Some(Shown { key, outcome, drawing, alt, verdicts })
+            }
             Err(failure) => {
                 diagnostics.push(failed(exhibit, &failure));
                 None
@@ -73,12 +92,10 @@ pub fn failed(exhibit: &Exhibit, failure: &Failure) -> Diagnostic {
         .help_if(failure.help.clone())
 }
 
-/// The words for the exhibit; none is an error.
-fn alternative(exhibit: &Exhibit, outcome: &Outcome, diagnostics: &mut Vec<Diagnostic>) -> String {
-    let alt = words(exhibit, outcome);
-    if alt.trim().is_empty() {
+/// A complaint of an exhibit that has no words.
+fn wordless(exhibit: &Exhibit, alt: &str) -> Option<Diagnostic> {
+    alt.trim().is_empty().then(|| {
         let error = Diagnostic::error(Code::MissingAlt, format!("`{}` has no alternative text", exhibit.id));
-        diagnostics.push(error.at_place(&exhibit.place).help("say what it shows: `alt = \"…\"`"));
-    }
-    alt
+        error.at_place(&exhibit.place).help("say what it shows: `alt = \"…\"`")
+    })
 }

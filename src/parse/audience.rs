@@ -1,6 +1,7 @@
 //! Audiences: the course as students get it, which has no solutions, and the course as instructors get it, which has all.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use pulldown_cmark::{CowStr, Event, Tag, TagEnd};
 
@@ -49,7 +50,7 @@ pub fn without_solutions(course: &Course) -> (Course, Vec<Diagnostic>) {
     let chapters = course.chapters.iter().map(|chapter| {
         let withheld = withheld(&chapter.content.nodes);
         diagnostics.extend(orphans(chapter, &withheld));
-        Chapter { content: kept(&chapter.content, &withheld), ..chapter.clone() }
+        Chapter { content: Arc::new(kept(&chapter.content, &withheld)), ..chapter.clone() }
     });
     let chapters = chapters.collect();
     (Course { configuration: course.configuration.clone(), chapters }, diagnostics)

@@ -14,6 +14,7 @@ mod front_matter;
 mod given;
 mod inline;
 mod landing;
+mod memo;
 mod node;
 mod shelf;
 mod site;
@@ -36,6 +37,7 @@ pub use fence::Fence;
 pub use front_matter::{Chosen, FrontMatter};
 pub use given::Given;
 pub use landing::Passage;
+pub use memo::Memo;
 pub use node::{Callout, CalloutKind, Cited, Computed, Formula, Label, Node, Term, ValueUse, What};
 pub use shelf::{Generated, Shelf};
 pub use site::{Commit, Redirect, Repository, Site};
@@ -62,7 +64,7 @@ pub struct Chapter {
     /// Title and summary.
     pub front: FrontMatter,
     /// What it consists of.
-    pub content: Content,
+    pub content: Arc<Content>,
 }
 
 impl Chapter {
@@ -120,13 +122,24 @@ pub fn course(
     workspace: &Workspace,
     generated: &[Generated],
 ) -> (Course, Vec<Diagnostic>) {
+    course_again(configuration, workspace, generated, &mut Memo::default())
+}
+
+/// The same, for a course that is read again and again: a chapter whose text is that which `memo` knows is not parsed anew.
+pub fn course_again(
+    configuration: Configuration,
+    workspace: &Workspace,
+    generated: &[Generated],
+    memo: &mut Memo,
+) -> (Course, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
+    memo.begin(workspace);
     let sources = configuration::ordered_chapters(&configuration, workspace, &mut diagnostics);
     let count = sources.iter().filter(|(_, appendix)| !appendix).count();
     let chapters = sources.into_iter().enumerate().map(|(index, (source, appendix))| Chapter {
         number: if appendix { letters(index - count) } else { (index + 1).to_string() },
         appendix,
-        ..chapter(source, &configuration, workspace, &mut diagnostics)
+        ..memo.chapter(source, &configuration, workspace, &mut diagnostics)
     });
     let mut chapters: Vec<Chapter> = chapters.collect();
     check_slugs(&chapters, generated, &mut diagnostics);
@@ -136,8 +149,9 @@ pub fn course(
         member: page.member,
         stem: page.name().to_owned(),
         slug: page.name().to_owned(),
-        ..chapter(&page.source, &configuration, workspace, &mut diagnostics)
+        ..memo.chapter(&page.source, &configuration, workspace, &mut diagnostics)
     }));
+    memo.end();
     site::check_redirects(&configuration.site, &chapters, workspace, &mut diagnostics);
     (Course { configuration, chapters }, diagnostics)
 }
@@ -180,6 +194,6 @@ fn chapter(
         shelf: None,
         member: false,
         front,
-        content,
+        content: Arc::new(content),
     }
 }

@@ -1,6 +1,6 @@
 //! The plan of the students' book: nothing that stands in solutions, and the numbers of the whole book.
 
-use super::{Plan, planned};
+use super::{Memo, Plan, planned};
 use crate::diag::{Code, Diagnostic};
 use crate::parse::Course;
 use crate::workspace::Workspace;
@@ -15,7 +15,7 @@ pub fn for_students(
     whole: &Plan,
     told: &[Diagnostic],
 ) -> (Plan, Vec<Diagnostic>) {
-    let (plan, diagnostics) = planned(students, Some(&whole.labels), workspace);
+    let (plan, diagnostics) = planned(students, Some(&whole.labels), workspace, &mut Memo::default());
     // What was right with the solutions and is wrong without them refers to them.
     let new = diagnostics.into_iter().filter(|diagnostic| !told.contains(diagnostic));
     let withheld = new.map(|diagnostic| Diagnostic {

@@ -6,7 +6,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::{Exhibit, Plan, Reading, Seen, exhibit};
 use crate::diag::Diagnostic;
-use crate::parse::{Chapter, Content, Course, Fence, SourceMap};
+use crate::parse::{Chapter, Course, Fence, SourceMap};
 use crate::workspace::{Source, Workspace};
 
 /// A parameter that is asked for, and its value as TOML.
@@ -88,7 +88,7 @@ impl Plan {
         let path = std::iter::once(id.to_owned()).chain(asked).collect::<Vec<_>>().join(" ");
         let source = Source { path: path.into(), text: text.as_str().into() };
         let fence = Fence { map: SourceMap::whole(0, text.len()), range: 0..text.len(), text };
-        let chapter = Chapter { file: Arc::clone(&source.path), content: Content::default(), ..chapter.clone() };
+        let chapter = Chapter { file: Arc::clone(&source.path), content: Arc::default(), ..chapter.clone() };
         let workspace = Workspace::of(source);
         let reading =
             Reading { chapter: &chapter, index: original.chapter, seed: original.seed, workspace: &workspace };

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
@@ -11,7 +12,12 @@ use crate::workspace::CONFIGURATION;
 /// Turns LaTeX into MathML Core with the course's macros.
 pub struct Converter {
     converter: LatexToMathML,
+    /// What has been converted, if it is to be remembered: lately, and before that; each by formula, for a line and for itself.
+    memory: Option<Mutex<[Formulas; 2]>>,
 }
+
+/// Formulas with what became of them.
+type Formulas = BTreeMap<(bool, String), Result<String, FormulaError>>;
 
 /// Why a formula cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,17 +38,48 @@ impl Converter {
             diagnostics.push(Diagnostic::error(Code::Configuration, message).at(&CONFIGURATION.into(), 0..0));
             LatexToMathML::default()
         });
-        Self { converter }
+        Self { converter, memory: None }
+    }
+
+    /// With a memory of what it has converted.
+    #[must_use]
+    pub fn remembering(self) -> Self {
+        Self { memory: Some(Mutex::default()), ..self }
+    }
+
+    /// Forgets what nobody has asked for since the last call.
+    pub fn forget(&self) {
+        if let Some(memory) = &self.memory {
+            let [now, before] = &mut *lock(memory);
+            *before = std::mem::take(now);
+        }
     }
 
     /// The MathML of a formula; `display` if it stands on lines of its own.
     pub fn convert(&self, tex: &str, display: bool) -> Result<String, FormulaError> {
+        let Some(memory) = &self.memory else { return self.anew(tex, display) };
+        let key = (display, tex.to_owned());
+        let [now, before] = &mut *lock(memory);
+        if let Some(known) = now.get(&key) {
+            return known.clone();
+        }
+        let converted = before.remove(&key).unwrap_or_else(|| self.anew(tex, display));
+        now.insert(key, converted.clone());
+        converted
+    }
+
+    fn anew(&self, tex: &str, display: bool) -> Result<String, FormulaError> {
         let display = if display { MathDisplay::Block } else { MathDisplay::Inline };
         match self.converter.convert_with_local_state(tex, display) {
             Ok(result) => Ok(result.mathml),
             Err(error) => Err(FormulaError { range: within(tex, &error.0), message: error.error_message() }),
         }
     }
+}
+
+/// The memory, whole even if a thread that held it broke off.
+fn lock(memory: &Mutex<[Formulas; 2]>) -> MutexGuard<'_, [Formulas; 2]> {
+    memory.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The range cut to the formula and to whole characters; an empty one at the end marks the last character.

@@ -14,6 +14,7 @@ mod labels;
 pub mod links;
 mod listing;
 mod literal;
+mod memo;
 mod references;
 mod seen;
 mod slides;
@@ -38,6 +39,7 @@ pub(crate) use format::{escape, minus};
 pub use formula::Converter;
 pub use labels::{LabelKind, Labels, Section, Target};
 pub use listing::Listing;
+pub use memo::Memo;
 pub use references::address;
 pub use seen::Seen;
 pub use terms::Terms;
@@ -53,7 +55,7 @@ pub struct Plan {
     /// The terms that the chapters define.
     pub terms: Terms,
     /// The works that chapters cite.
-    pub bibliography: Bibliography,
+    pub bibliography: Arc<Bibliography>,
     /// What was seen of fences, the wrong ones included.
     pub seen: Seen,
     /// For each chapter, the exhibit of each of its experiment fences.
@@ -63,6 +65,7 @@ pub struct Plan {
 }
 
 /// A figure or table that the book shows, with the experiment that gives it.
+#[derive(Clone)]
 pub struct Exhibit {
     /// Its id, e.g. `fig-rmse-1d`.
     pub id: String,
@@ -84,15 +87,21 @@ pub struct Exhibit {
 
 /// Plans the book. Every complaint is collected; exhibits that are wrong are left out of the plan.
 pub fn plan(course: &Course, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
-    let (plan, mut diagnostics) = planned(course, None, workspace);
-    typed::check(course, &plan, workspace, &mut diagnostics);
+    plan_again(course, workspace, &mut Memo::default())
+}
+
+/// The same, for a course that is planned again and again: of chapters that `memo` knows, little is read anew.
+pub fn plan_again(course: &Course, workspace: &Workspace, memo: &mut Memo) -> (Plan, Vec<Diagnostic>) {
+    memo.begin(course, workspace);
+    let (plan, mut diagnostics) = planned(course, None, workspace, memo);
+    typed::check(course, &plan, workspace, memo, &mut diagnostics);
     (plan, diagnostics)
 }
 
 /// The plan of a course, with the numbers that `whole` has if it is a part of one.
-fn planned(course: &Course, whole: Option<&Labels>, workspace: &Workspace) -> (Plan, Vec<Diagnostic>) {
+fn planned(course: &Course, whole: Option<&Labels>, workspace: &Workspace, memo: &mut Memo) -> (Plan, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
-    let bibliography = bibliography::read(course, workspace, &mut diagnostics);
+    let bibliography = memo.bibliography(course, workspace, &mut diagnostics);
     let mut plan = Plan {
         exhibits: Vec::new(),
         listings: Vec::new(),
@@ -105,17 +114,18 @@ fn planned(course: &Course, whole: Option<&Labels>, workspace: &Workspace) -> (P
     };
     for (index, chapter) in course.chapters.iter().enumerate() {
         let reading = Reading { chapter, index, seed: course.configuration.seed, workspace };
-        plan.exhibit_of.push(exhibit::read_all(&reading, &mut plan.exhibits, &mut plan.seen, &mut diagnostics));
-        plan.listing_of.push(listing::read_all(&reading, &mut plan.listings, &mut plan.seen, &mut diagnostics));
+        memo.fences(&reading, &mut plan, &mut diagnostics);
     }
     plan.labels = labels::number(course, &plan, &mut diagnostics);
     if let Some(whole) = whole {
         plan.labels.numbered_as_in(whole);
     }
     plan.terms = terms::find(course, &plan, workspace, &mut diagnostics);
-    references::check(course, &plan, &mut diagnostics);
-    emphasis::check(course, workspace, &mut diagnostics);
-    slides::check(course, &mut diagnostics);
+    references::check(course, &plan, memo, &mut diagnostics);
+    for chapter in &course.chapters {
+        memo.once(chapter, "emphasis", &mut diagnostics, |told| emphasis::check(chapter, workspace, told));
+        memo.once(chapter, "slides", &mut diagnostics, |told| slides::check(chapter, told));
+    }
     (plan, diagnostics)
 }
 

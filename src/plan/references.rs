@@ -10,7 +10,7 @@ use super::claim::Bound;
 use super::format::Format;
 use super::formula::Converter;
 use super::links::{self, BadLink};
-use super::{Exhibit, Plan};
+use super::{Exhibit, Memo, Plan};
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic};
 use crate::parse::{Callout, Chosen, Cited, Computed, Course, Formula, Node, ValueUse, What};
@@ -30,8 +30,8 @@ pub fn address<'n>(name: &'n str, home: Option<&'n str>) -> Option<(&'n str, &'n
 }
 
 /// Checks everything that refers to something, in chapters, captions and titles.
-pub(super) fn check(course: &Course, plan: &Plan, diagnostics: &mut Vec<Diagnostic>) {
-    let converter = Converter::new(&course.configuration.macros, diagnostics);
+pub(super) fn check(course: &Course, plan: &Plan, memo: &mut Memo, diagnostics: &mut Vec<Diagnostic>) {
+    let converter = memo.converter(&course.configuration.macros, diagnostics);
     for (index, chapter) in course.chapters.iter().enumerate() {
         let mut checking = Checking { file: &chapter.file, index, course, plan, converter: &converter, diagnostics };
         checking.picture(chapter.front.picture.as_ref());

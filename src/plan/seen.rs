@@ -6,7 +6,7 @@ use crate::diag::{Code, Diagnostic, Place};
 use crate::parse::Node;
 
 /// The ids and captions of fences.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Seen {
     ids: BTreeMap<String, Place>,
     wrong: BTreeSet<String>,
@@ -28,6 +28,19 @@ impl Seen {
     /// The captions of the wrong fences of a chapter.
     pub fn captions(&self, chapter: usize) -> impl Iterator<Item = &[Node]> {
         self.captions.iter().filter(move |(of, _)| *of == chapter).map(|(_, caption)| caption.as_slice())
+    }
+
+    /// Whether both have met the same id.
+    pub(super) fn meets(&self, other: &Self) -> bool {
+        other.ids.keys().any(|id| self.ids.contains_key(id))
+    }
+
+    /// Adds what has been seen of another chapter, which has none of these ids.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.ids.extend(other.ids.iter().map(|(id, place)| (id.clone(), place.clone())));
+        self.wrong.extend(other.wrong.iter().cloned());
+        self.captions.extend(other.captions.iter().cloned());
+        self.failed += other.failed;
     }
 
     /// Notes the id of a fence; complains if another fence has it already.

@@ -6,14 +6,12 @@ use std::sync::Arc;
 use pulldown_cmark::{Event, Tag, TagEnd};
 
 use crate::diag::{Code, Diagnostic};
-use crate::parse::{CalloutKind, Chapter, Course, Node, What};
+use crate::parse::{CalloutKind, Chapter, Node, What};
 
-/// Tells every mark that is misplaced, empty, or holds what has a number or an id.
-pub(super) fn check(course: &Course, diagnostics: &mut Vec<Diagnostic>) {
-    for chapter in &course.chapters {
-        let mut walk = Walk { chapter, depth: 0, mark: None, said: false, diagnostics };
-        chapter.content.nodes.iter().for_each(|node| walk.node(node));
-    }
+/// Tells every mark of a chapter that is misplaced, empty, or holds what has a number or an id.
+pub(super) fn check(chapter: &Chapter, diagnostics: &mut Vec<Diagnostic>) {
+    let mut walk = Walk { chapter, depth: 0, mark: None, said: false, diagnostics };
+    chapter.content.nodes.iter().for_each(|node| walk.node(node));
 }
 
 /// A walk through a chapter.

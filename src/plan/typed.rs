@@ -7,31 +7,44 @@ use std::sync::Arc;
 
 use pulldown_cmark::{Event, LinkType, Tag, TagEnd};
 
-use super::Plan;
 use super::literal::{self, END, HOLE, MATH};
+use super::{Memo, Plan};
 use crate::diag::{Code, Diagnostic};
 use crate::parse::{Callout, Chapter, Course, Formula, Given, Node, SourceMap, What};
 use crate::workspace::Workspace;
 
 /// Tells every typed number that the chapter's front matter does not give, and every entry there that nothing uses.
-pub(super) fn check(course: &Course, plan: &Plan, workspace: &Workspace, diagnostics: &mut Vec<Diagnostic>) {
+pub(super) fn check(
+    course: &Course,
+    plan: &Plan,
+    workspace: &Workspace,
+    memo: &mut Memo,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
     let Some(severity) = course.configuration.typed_numbers else { return };
     // What code wrote quotes the code's own manual.
     let written = course.chapters.iter().enumerate().filter(|(_, chapter)| chapter.shelf.is_none());
     for (index, chapter) in written {
-        let text = workspace.text(&chapter.file).map(|source| &*source.text).unwrap_or_default();
-        let mut reading = Reading { text, stream: Stream::default(), found: Vec::new() };
-        reading.nodes(&chapter.content.nodes);
-        for exhibit in plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index) {
-            reading.nodes(&exhibit.caption);
-        }
-        for listing in plan.listings.iter().filter(|listing| listing.chapter == index) {
-            reading.nodes(&listing.caption);
-        }
-        plan.seen.captions(index).for_each(|caption| reading.nodes(caption));
-        let told = tell(chapter, reading.found).map(|warning| Diagnostic { severity, ..warning });
-        diagnostics.extend(told);
+        memo.once(chapter, "typed", diagnostics, |told| {
+            let found = read(chapter, index, plan, workspace);
+            told.extend(tell(chapter, found).map(|warning| Diagnostic { severity, ..warning }));
+        });
     }
+}
+
+/// The numbers of a chapter, with their places in its file.
+fn read(chapter: &Chapter, index: usize, plan: &Plan, workspace: &Workspace) -> Vec<(String, Range<usize>)> {
+    let text = workspace.text(&chapter.file).map(|source| &*source.text).unwrap_or_default();
+    let mut reading = Reading { text, stream: Stream::default(), found: Vec::new() };
+    reading.nodes(&chapter.content.nodes);
+    for exhibit in plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index) {
+        reading.nodes(&exhibit.caption);
+    }
+    for listing in plan.listings.iter().filter(|listing| listing.chapter == index) {
+        reading.nodes(&listing.caption);
+    }
+    plan.seen.captions(index).for_each(|caption| reading.nodes(caption));
+    reading.found
 }
 
 /// What to tell of the numbers `found` in a chapter.

@@ -88,6 +88,11 @@ impl Citations {
         self.entries.get(id).map(String::as_str)
     }
 
+    /// The ids of the works in the list.
+    pub(super) fn ids(&self) -> impl Iterator<Item = &str> {
+        self.entries.keys().map(String::as_str)
+    }
+
     /// The list of works, as HTML.
     pub(super) fn list(&self) -> &str {
         &self.list
@@ -107,7 +112,7 @@ fn broken(name: &str, error: &str) -> Diagnostic {
 }
 
 /// The keys of the works that the course cites, in the order of their first citation.
-fn cited(course: &Course, plan: &Plan) -> Vec<String> {
+pub(super) fn cited(course: &Course, plan: &Plan) -> Vec<String> {
     let mut keys = Vec::new();
     for (index, chapter) in course.chapters.iter().enumerate() {
         gather(&chapter.content.nodes, &mut keys);

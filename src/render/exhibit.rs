@@ -85,14 +85,14 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
     let exhibit = &rendering.plan.exhibits[index];
     let shown = &rendering.shown[index];
     let (caption, mut diagnostics) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
-    let (class, body, width) = match &shown.drawing {
+    let (class, body, width) = match &*shown.drawing {
         Drawing::Figure(figure) | Drawing::Stepper(Stepper { figure, .. }) => {
             ("figure", figure.in_a_page(), Some(figure.width))
         }
-        Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter), None),
-        Drawing::Pictures(drawn) => ("pictures", pictures::html(&exhibit.id, drawn, &rendering.converter), None),
+        Drawing::Table(drawn) => ("table", table::html(drawn, rendering.converter), None),
+        Drawing::Pictures(drawn) => ("pictures", pictures::html(&exhibit.id, drawn, rendering.converter), None),
     };
-    let below = match &shown.drawing {
+    let below = match &*shown.drawing {
         Drawing::Stepper(drawn) => stepper::html(&exhibit.id, drawn, rendering, &mut diagnostics),
         _ => String::new(),
     };

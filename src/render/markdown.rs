@@ -62,7 +62,15 @@ impl<'a> Writer<'a> {
     pub(super) fn chapter(mut self) -> (String, Vec<Diagnostic>) {
         let nodes = self.nodes();
         self.notes = Notes::of(nodes);
-        self.range(0..nodes.len());
+        let mark = if self.rendering.marked { super::MARK } else { "" };
+        self.out.push_str(mark);
+        let mut at = 0;
+        while at < nodes.len() {
+            let end = blocks::end(nodes, at) + 1;
+            self.range(at..end);
+            self.out.push_str(mark);
+            at = end;
+        }
         self.done()
     }
 

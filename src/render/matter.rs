@@ -106,8 +106,8 @@ fn thumbnail<'a>(rendering: &'a Rendering<'a>, index: usize, diagnostics: &mut V
         caption: without_marks(&caption),
         claims: shown.verdicts.len(),
         images: images(rendering, index).collect(),
-        table: match &shown.drawing {
-            Drawing::Table(drawn) => Some(table::html(drawn, &rendering.converter)),
+        table: match &*shown.drawing {
+            Drawing::Table(drawn) => Some(table::html(drawn, rendering.converter)),
             _ => None,
         },
     }

@@ -18,6 +18,7 @@ mod notes;
 mod pages;
 mod pictures;
 mod previews;
+mod proof;
 mod search;
 mod shelf;
 mod site;
@@ -27,12 +28,19 @@ mod templates;
 mod terms;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
+use crate::chart::Drawing;
 use crate::diag::{Code, Diagnostic};
 use crate::exhibits::Shown;
+use crate::kinds::Outcome;
 use crate::parse::Course;
-use crate::plan::{Converter, Plan};
+use crate::plan::{Converter, Exhibit, Plan};
 use crate::workspace::{CHAPTERS, Workspace};
+
+pub use site::LOST;
+
+pub use proof::{Looks, Parts, Proof, of_preview};
 
 use citations::Citations;
 use templates::Templates;
@@ -56,12 +64,17 @@ pub(crate) struct Rendering<'a> {
     plan: &'a Plan,
     shown: &'a [Shown],
     workspace: &'a Workspace,
-    converter: Converter,
-    citations: Citations,
-    templates: Templates,
+    converter: &'a Converter,
+    citations: &'a Citations,
+    templates: &'a Templates,
     /// The files of each exhibit, in the order of `shown`.
-    files: Vec<Vec<data::File>>,
+    files: &'a [Arc<Vec<data::File>>],
+    /// Whether the blocks of chapters are marked, so that a preview can tell them apart.
+    marked: bool,
 }
+
+/// The mark between the blocks of a chapter.
+pub(crate) const MARK: &str = "<!--block-->";
 
 impl Rendering<'_> {
     /// The page of a chapter.
@@ -76,29 +89,52 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
     let Some(templates) = Templates::load(workspace, &mut diagnostics) else { return (Book::default(), diagnostics) };
     let converter = Converter::new(&course.configuration.macros, &mut diagnostics);
     let citations = Citations::format(course, plan, workspace, &mut diagnostics);
-    let files = plan.exhibits.iter().zip(shown);
-    let files = files.map(|(exhibit, shown)| {
-        let keep = data::Keep::of(&course.chapters[exhibit.chapter], &exhibit.id);
-        data::files(exhibit, &shown.outcome, &shown.drawing, keep)
-    });
-    let files = files.collect();
-    let rendering = Rendering { course, plan, shown, workspace, converter, citations, templates, files };
+    let files: Vec<Arc<Vec<data::File>>> = plan
+        .exhibits
+        .iter()
+        .zip(shown)
+        .map(|(exhibit, shown)| Arc::new(files_of(course, exhibit, &shown.outcome, &shown.drawing)))
+        .collect();
+    let rendering = Rendering {
+        course,
+        plan,
+        shown,
+        workspace,
+        converter: &converter,
+        citations: &citations,
+        templates: &templates,
+        files: &files,
+        marked: false,
+    };
+    let book = book(&rendering, &mut diagnostics, &|| true).unwrap_or_default();
+    (book, diagnostics)
+}
+
+/// The files of an exhibit.
+fn files_of(course: &Course, exhibit: &Exhibit, outcome: &Outcome, drawing: &Drawing) -> Vec<data::File> {
+    let keep = data::Keep::of(&course.chapters[exhibit.chapter], &exhibit.id);
+    data::files(exhibit, outcome, drawing, keep)
+}
+
+/// The whole book; none if `go_on` says no on the way.
+fn book(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>, go_on: &dyn Fn() -> bool) -> Option<Book> {
     let mut book = Book::default();
-    let pages = pages::all(&rendering, &mut diagnostics);
-    let previews = previews::files(&rendering, &pages);
+    let pages = pages::all(rendering, diagnostics, go_on)?;
+    let previews = previews::files(rendering, &pages);
     for (path, bytes) in pages.into_iter().chain(previews) {
         book.files.insert(path, bytes.into_bytes());
     }
-    let (path, index) = search::file(&rendering);
+    let (path, index) = go_on().then(|| search::file(rendering))?;
     book.files.insert(path, index.into_bytes());
     book.files.extend(rendering.templates.assets());
-    if course.configuration.catalogue.is_empty() {
+    if rendering.course.configuration.catalogue.is_empty() {
         book.files.remove(&format!("{}/{}", templates::ASSETS, shelf::STYLE));
     }
-    site::files(&rendering, &mut book);
-    book.files.insert(FIGURES.to_owned(), machine::figures(&rendering).into_bytes());
-    book.files.extend(rendering.files.into_iter().flatten().map(|file| (file.path, file.bytes)));
-    for (path, bytes) in &workspace.blobs {
+    site::files(rendering, &mut book);
+    book.files.insert(FIGURES.to_owned(), machine::figures(rendering).into_bytes());
+    let files = rendering.files.iter().flat_map(|files| files.iter());
+    book.files.extend(files.map(|file| (file.path.clone(), file.bytes.clone())));
+    for (path, bytes) in &rendering.workspace.blobs {
         let Some(name) = path.strip_prefix(CHAPTERS).and_then(|path| path.strip_prefix('/')) else { continue };
         if book.files.contains_key(name) {
             let message = format!("`{path}` has the name of a file that the book makes itself");
@@ -107,7 +143,7 @@ pub fn render(course: &Course, plan: &Plan, shown: &[Shown], workspace: &Workspa
         }
         book.files.insert(name.to_owned(), bytes.to_vec());
     }
-    (book, diagnostics)
+    Some(book)
 }
 
 /// Loads the templates and the citation style only to see whether they are right: what `check` can know without running.

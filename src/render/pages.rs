@@ -7,12 +7,15 @@ use super::Rendering;
 use super::landing;
 use super::made::made;
 use super::markdown::Writer;
-use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, MADE, Matter, TERMS};
+use super::matter::{self, BIBLIOGRAPHY, EXHIBITS, KINDS, Matter, TERMS};
 use super::shelf::{self, MemberContext};
 use super::site::{self, SiteContext};
 use super::templates::ASSETS;
 use super::terms;
 use crate::diag::Diagnostic;
+
+/// The page that a reader meets first.
+const LANDING: &str = "index.html";
 
 /// What every page knows of the book.
 #[derive(Serialize)]
@@ -109,25 +112,60 @@ struct MatterPage<'a, T> {
     own: T,
 }
 
-/// Every page, by its path in the book.
-pub(super) fn all(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<(String, String)> {
-    let groups = matter::groups(rendering, diagnostics);
-    let mut pages = vec![
-        ("index.html".to_owned(), landing::page(rendering, diagnostics)),
-        matter_page(rendering, &EXHIBITS, json!({ "groups": groups }), diagnostics),
-        matter_page(rendering, &KINDS, json!({ "kinds": matter::kinds(rendering) }), diagnostics),
-        matter_page(rendering, &BIBLIOGRAPHY, json!({ "entries": rendering.citations.list() }), diagnostics),
-        matter_page(rendering, &MADE, made(rendering), diagnostics),
-    ];
-    if !rendering.plan.terms.is_empty() {
-        let letters = terms::letters(rendering, diagnostics);
-        pages.push(matter_page(rendering, &TERMS, json!({ "letters": letters }), diagnostics));
+/// Every page, by its path in the book; none if `go_on` says no on the way.
+pub(super) fn all(
+    rendering: &Rendering<'_>,
+    diagnostics: &mut Vec<Diagnostic>,
+    go_on: &dyn Fn() -> bool,
+) -> Option<Vec<(String, String)>> {
+    let mut pages = Vec::new();
+    for path in paths(rendering) {
+        let page = go_on().then(|| page(rendering, &path, diagnostics))?;
+        pages.extend(page.map(|page| (path, page)));
     }
-    for chapter in 0..rendering.course.chapters.len() {
-        pages.push((rendering.href(chapter), chapter_page(rendering, chapter, diagnostics)));
+    Some(pages)
+}
+
+/// The paths of all pages.
+pub(super) fn paths(rendering: &Rendering<'_>) -> Vec<String> {
+    let own = [LANDING].into_iter().chain(matter::of(rendering).map(|matter| matter.href)).map(str::to_owned);
+    let chapters = (0..rendering.course.chapters.len()).map(|chapter| rendering.href(chapter));
+    own.chain(chapters).chain(site::extra_paths(rendering)).collect()
+}
+
+/// The page at this path, if the book has it.
+pub(super) fn page(rendering: &Rendering<'_>, path: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
+    if path == LANDING {
+        return Some(landing::page(rendering, diagnostics));
     }
-    pages.extend(site::extra_pages(rendering, diagnostics));
-    pages
+    if let Some(matter) = matter::of(rendering).find(|matter| matter.href == path) {
+        return Some(own_page(rendering, matter, diagnostics));
+    }
+    match (0..rendering.course.chapters.len()).find(|&chapter| rendering.href(chapter) == path) {
+        Some(chapter) => Some(chapter_page(rendering, chapter, diagnostics)),
+        None => site::extra_page(rendering, path, diagnostics),
+    }
+}
+
+/// A page that the book makes of itself.
+fn own_page(rendering: &Rendering<'_>, matter: &Matter, diagnostics: &mut Vec<Diagnostic>) -> String {
+    match matter.href {
+        href if href == EXHIBITS.href => {
+            let groups = matter::groups(rendering, diagnostics);
+            matter_page(rendering, matter, json!({ "groups": groups }), diagnostics)
+        }
+        href if href == KINDS.href => {
+            matter_page(rendering, matter, json!({ "kinds": matter::kinds(rendering) }), diagnostics)
+        }
+        href if href == BIBLIOGRAPHY.href => {
+            matter_page(rendering, matter, json!({ "entries": rendering.citations.list() }), diagnostics)
+        }
+        href if href == TERMS.href => {
+            let letters = terms::letters(rendering, diagnostics);
+            matter_page(rendering, matter, json!({ "letters": letters }), diagnostics)
+        }
+        _ => matter_page(rendering, matter, made(rendering), diagnostics),
+    }
 }
 
 pub(super) fn book<'a>(rendering: &Rendering<'a>, current: Option<usize>) -> BookContext<'a> {
@@ -218,7 +256,7 @@ pub(super) fn matter_page(
     matter: &Matter,
     own: impl Serialize,
     diagnostics: &mut Vec<Diagnostic>,
-) -> (String, String) {
+) -> String {
     let context = MatterPage {
         book: book(rendering, None),
         page: PageContext {
@@ -232,5 +270,5 @@ pub(super) fn matter_page(
         contents: Vec::new(),
         own,
     };
-    (matter.href.to_owned(), rendering.templates.fill(matter.href, &context, diagnostics))
+    rendering.templates.fill(matter.href, &context, diagnostics)
 }

@@ -6,6 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use pulldown_cmark::{Event, Tag};
+use serde::Serialize;
 
 use super::exhibit::{self, label};
 use super::markdown::Writer;
@@ -30,10 +31,31 @@ pub(super) fn files(rendering: &Rendering<'_>, pages: &[(String, String)]) -> Ve
         let targets: BTreeMap<&str, String> =
             ids.iter().filter_map(|id| Some((*id, target(rendering, page, id)?))).collect();
         let Some(stem) = page.strip_suffix(".html").filter(|_| !targets.is_empty()) else { continue };
-        let call = format!("workbook.previews({}, {});\n", serde_json::json!(page), serde_json::json!(targets));
-        files.push((format!("{ASSETS}/previews/{stem}.js"), call));
+        files.push((format!("{ASSETS}/previews/{stem}.js"), call(page, &targets)));
     }
     files
+}
+
+/// The file at `path` with all that there is to refer to on its page, for whoever does not know what the other pages refer to.
+pub(super) fn whole(rendering: &Rendering<'_>, path: &str) -> Option<String> {
+    let stem = path.strip_prefix(ASSETS)?.strip_prefix("/previews/")?.strip_suffix(".js")?;
+    let page = format!("{stem}.html");
+    let ids: Vec<String> = match (0..rendering.course.chapters.len()).find(|&chapter| rendering.href(chapter) == page) {
+        Some(chapter) => {
+            let labels = &rendering.plan.labels;
+            labels.ids_in(chapter).map(str::to_owned).chain(rendering.plan.terms.ids_in(chapter)).collect()
+        }
+        None if page == BIBLIOGRAPHY.href => rendering.citations.ids().map(str::to_owned).collect(),
+        None => return None,
+    };
+    let targets = ids.into_iter().filter_map(|id| Some((target(rendering, &page, &id)?, id)));
+    let targets: BTreeMap<String, String> = targets.map(|(html, id)| (id, html)).collect();
+    Some(call(&page, &targets))
+}
+
+/// The text of a file: one call.
+fn call<K: Serialize + Ord>(page: &str, targets: &BTreeMap<K, String>) -> String {
+    format!("workbook.previews({}, {});\n", serde_json::json!(page), serde_json::json!(targets))
 }
 
 /// The pages that other pages refer to, with the ids there.
@@ -134,8 +156,8 @@ fn defines(node: &Node, id: &str) -> bool {
 fn exhibit(rendering: &Rendering<'_>, index: usize) -> String {
     let exhibit = &rendering.plan.exhibits[index];
     let (caption, _) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
-    let (class, body) = if let Drawing::Table(drawn) = &rendering.shown[index].drawing {
-        ("table", table::html(drawn, &rendering.converter))
+    let (class, body) = if let Drawing::Table(drawn) = &*rendering.shown[index].drawing {
+        ("table", table::html(drawn, rendering.converter))
     } else {
         let images = matter::images(rendering, index).take(PICTURES);
         let images: Vec<String> = images.map(|image| format!("<img src=\"{image}\" alt=\"\">")).collect();

@@ -14,7 +14,7 @@ use crate::plan::escape;
 use crate::workspace::extension;
 
 /// The page for addresses that lead nowhere.
-const LOST: &str = "404.html";
+pub const LOST: &str = "404.html";
 /// The picture that stands for the book where somebody links to it.
 const CARD: &str = "assets/card.png";
 
@@ -75,14 +75,19 @@ struct Moved<'a> {
     canonical: String,
 }
 
-/// The pages that are made of the site's settings, by their paths.
-pub(super) fn extra_pages(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> Vec<(String, String)> {
-    let mut pages = vec![lost(rendering, diagnostics)];
-    for redirect in &rendering.course.configuration.site.redirects {
-        let page = rendering.templates.fill("moved.html", &moved(rendering, redirect), diagnostics);
-        pages.push((redirect.old.clone(), page));
+/// The paths of the pages that are made of the site's settings.
+pub(super) fn extra_paths(rendering: &Rendering<'_>) -> impl Iterator<Item = String> {
+    let moved = rendering.course.configuration.site.redirects.iter().map(|redirect| redirect.old.clone());
+    std::iter::once(LOST.to_owned()).chain(moved)
+}
+
+/// The one of them at this path.
+pub(super) fn extra_page(rendering: &Rendering<'_>, path: &str, diagnostics: &mut Vec<Diagnostic>) -> Option<String> {
+    if path == LOST {
+        return Some(lost(rendering, diagnostics));
     }
-    pages
+    let redirect = rendering.course.configuration.site.redirects.iter().find(|redirect| redirect.old == path)?;
+    Some(rendering.templates.fill("moved.html", &moved(rendering, redirect), diagnostics))
 }
 
 fn moved<'a>(rendering: &Rendering<'a>, redirect: &Redirect) -> Moved<'a> {
@@ -111,7 +116,7 @@ fn address(base: &str, page: &str) -> String {
 
 /// The page for addresses that lead nowhere: it may be shown for an address of any depth, so its links begin at the site's root if
 /// that is known.
-fn lost(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> (String, String) {
+fn lost(rendering: &Rendering<'_>, diagnostics: &mut Vec<Diagnostic>) -> String {
     let root = rendering.course.configuration.site.root().unwrap_or_default();
     let matter = Matter { title: "Page not found", href: LOST, summary: "There is no page at this address." };
     let own = json!({ "root": root, "assets": format!("{root}{}", super::templates::ASSETS), "lost": true });

@@ -29,7 +29,7 @@ struct KeyContext {
 /// What stands below the drawing of the stepper with this id.
 pub(super) fn html(id: &str, stepper: &Stepper, rendering: &Rendering<'_>, told: &mut Vec<Diagnostic>) -> String {
     let captions: Vec<String> =
-        stepper.captions.iter().map(|caption| bound(&table::prose(&printed(caption), &rendering.converter))).collect();
+        stepper.captions.iter().map(|caption| bound(&table::prose(&printed(caption), rendering.converter))).collect();
     let key = |key: &'_ crate::chart::KeyStep| captions.get(key.step - 1).cloned().unwrap_or_default();
     let strip = stepper.strip.iter().map(|step| KeyContext {
         step: step.step,

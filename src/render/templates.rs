@@ -60,6 +60,11 @@ impl Templates {
         self.assets.clone()
     }
 
+    /// The asset at this path in the book.
+    pub(super) fn asset(&self, path: &str) -> Option<&[u8]> {
+        self.assets.get(path).map(Vec::as_slice)
+    }
+
     /// Fills a template; a mistake in it is told, and then the text is empty.
     pub(super) fn fill(&self, name: &str, context: &impl Serialize, diagnostics: &mut Vec<Diagnostic>) -> String {
         let filled = Context::from_serialize(context).and_then(|context| self.tera.render(name, &context));

@@ -15,9 +15,11 @@ use crate::sources::Digest;
 
 pub mod cache;
 pub mod key;
+mod runner;
 
 pub use cache::Cache;
 pub use key::{Difference, Key};
+pub use runner::Runner;
 
 /// An experiment that is due, for one exhibit or several.
 pub struct Job {
@@ -99,6 +101,11 @@ pub fn status(job: &Job, cache: Option<&Cache>) -> How {
         Ok(_) => How::Cached,
         Err(why) => How::Computed(why),
     }
+}
+
+/// The result of `job` if the cache has it.
+pub fn cached(job: &Job, cache: Option<&Cache>) -> Option<Arc<Outcome>> {
+    from_cache(job, cache).ok()?.outcome.ok()
 }
 
 /// Runs `jobs` on `threads` threads: one result for each different key, in the order in which the keys first appear.

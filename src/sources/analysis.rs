@@ -25,6 +25,7 @@ const NOT_COMPUTING: &[&str] = &[
     "sources/",
     "render/",
     "verify/",
+    "serve/",
     "write.rs",
     "cli/",
 ];

@@ -1,11 +1,8 @@
 // The lists of sections follow the reading: the section in view is marked, and kept in view where its list scrolls.
 (function () {
   "use strict";
-  var lists = Array.prototype.slice.call(document.querySelectorAll(".on-this-page, .sidebar .sections"));
-  if (!lists.length || !window.IntersectionObserver) return;
-  var headings = Array.prototype.slice.call(document.querySelectorAll("main :is(h2, h3, h4)[id]"));
-  var passed = {};
-  var atEnd = false;
+  if (!window.IntersectionObserver) return;
+  var lists = [], headings = [], passed = {}, atEnd = false, line = null;
 
   function mark(list, at) {
     var link = null;
@@ -29,11 +26,17 @@
   }
 
   // A heading is passed when it is above a line at a third of the window's height.
-  var line = new IntersectionObserver(function (entries) {
-    entries.forEach(function (entry) { passed[entry.target.id] = entry.isIntersecting; });
-    follow();
-  }, { rootMargin: "1000000px 0px -66% 0px" });
-  headings.forEach(function (heading) { line.observe(heading); });
+  workbook.each(function () {
+    lists = Array.prototype.slice.call(document.querySelectorAll(".on-this-page, .sidebar .sections"));
+    headings = Array.prototype.slice.call(document.querySelectorAll("main :is(h2, h3, h4)[id]"));
+    if (line) line.disconnect();
+    line = new IntersectionObserver(function (entries) {
+      entries.forEach(function (entry) { passed[entry.target.id] = entry.isIntersecting; });
+      follow();
+    }, { rootMargin: "1000000px 0px -66% 0px" });
+    headings.forEach(function (heading) { line.observe(heading); });
+  });
+  if (!lists.length) return;
 
   // The last sections may be too short ever to pass it.
   var end = new IntersectionObserver(function (entries) {

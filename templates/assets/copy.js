@@ -55,5 +55,7 @@
     });
   }
 
-  document.querySelectorAll("main pre").forEach(enhance);
+  workbook.each(function () {
+    document.querySelectorAll("main pre").forEach(function (block) { if (!block.closest(".copying")) enhance(block); });
+  });
 })();

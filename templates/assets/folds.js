@@ -3,20 +3,22 @@
 (function () {
   "use strict";
   var name = "unfolded:" + location.pathname;
-  var folds = Array.prototype.slice.call(document.querySelectorAll("details.callout"));
-  var button = document.querySelector(".fold-all button");
+  var button = null;
   var unfolded = workbook.store.get(name) === "yes";
 
   function set(open) {
-    folds.forEach(function (fold) { fold.open = open; });
+    document.querySelectorAll("details.callout").forEach(function (fold) { fold.open = open; });
   }
 
   function show() {
     button.setAttribute("aria-pressed", String(unfolded));
   }
 
-  if (button) {
-    if (unfolded) set(true);
+  workbook.each(function () {
+    var found = document.querySelector(".fold-all button");
+    if (!found || found === button) return;
+    if (unfolded && !button) set(true);
+    button = found;
     show();
     button.addEventListener("click", function () {
       // What is above the button may change its height; the button stays where it is pressed.
@@ -27,7 +29,7 @@
       show();
       window.scrollBy({ top: button.getBoundingClientRect().top - top, behavior: "instant" });
     });
-  }
+  });
 
   // A link to a place in a closed fold opens it; not every browser does that by itself.
   function unfold() {

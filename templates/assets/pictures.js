@@ -41,9 +41,12 @@
     return function (at) { select.selectedIndex = at + 1; };
   }
 
-  function enhance(box, index) {
+  var count = 0;
+
+  function enhance(box) {
     var pictures = Array.prototype.slice.call(box.querySelectorAll(".picture"));
-    if (pictures.length < 2) return;
+    if (pictures.length < 2 || (box.previousElementSibling && box.previousElementSibling.matches(".flip"))) return;
+    var index = count++;
     var bar = document.createElement("fieldset");
     bar.className = "flip";
     var legend = document.createElement("legend");
@@ -69,6 +72,6 @@
   }
 
   document.addEventListener("DOMContentLoaded", function () {
-    document.querySelectorAll(".pictures").forEach(enhance);
+    workbook.each(function () { document.querySelectorAll(".pictures").forEach(enhance); });
   });
 })();

@@ -19,6 +19,9 @@
   card.hidden = true;
   document.body.appendChild(card);
 
+  // What other pages hold may have changed with this one.
+  workbook.each(function () { pages = {}; });
+
   // The files of other pages call this.
   workbook.previews = function (page, targets) {
     var waiting = pages[page];

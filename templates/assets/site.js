@@ -10,7 +10,14 @@
     get: function (name) { try { return localStorage.getItem(name); } catch (_) { return null; } },
     set: function (name, value) { try { localStorage.setItem(name, value); } catch (_) { /* it lasts as long as the page */ } }
   };
-  window.workbook = { store: store };
+
+  // What scripts do to parts of the page. A preview has it done again when parts have changed, so each leaves alone what it has done before.
+  var doings = [];
+  window.workbook = {
+    store: store,
+    each: function (does) { doings.push(does); does(); },
+    again: function () { doings.forEach(function (does) { does(); }); reach(); }
+  };
 
   // Styles know by it that buttons will work, before anything is painted.
   root.classList.add("js");

@@ -118,7 +118,9 @@
     figure.scrollIntoView({ behavior: still.matches ? "auto" : "smooth", block: "nearest" });
   }
 
-  all(document, ".exhibit .stepper").forEach(function (box) { start(box.closest(".exhibit"), box); });
+  workbook.each(function () {
+    all(document, ".exhibit:not(.stepping) .stepper").forEach(function (box) { start(box.closest(".exhibit"), box); });
+  });
   follow();
   window.addEventListener("hashchange", follow);
 })();

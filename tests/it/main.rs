@@ -68,6 +68,8 @@ mod receipt;
 mod review;
 #[cfg(feature = "publish")]
 mod search;
+#[cfg(feature = "publish")]
+mod serve;
 mod settings;
 #[cfg(feature = "publish")]
 mod slides;

@@ -16,7 +16,6 @@ use serde_json::{Value, json};
 use super::Rendering;
 use super::markdown::Writer;
 use super::matter;
-use super::templates::ASSETS;
 use crate::catalogue::About;
 use crate::parse::{Callout, CalloutKind, Node, What};
 use crate::plan::{Exhibit, LabelKind, terms};
@@ -46,6 +45,9 @@ struct Gathering<'a> {
     section: usize,
 }
 
+/// The path of the index in the book.
+pub(super) const PATH: &str = "assets/search-index.js";
+
 /// The file of the index: its path in the book, and its text.
 pub(super) fn file(rendering: &Rendering<'_>) -> (String, String) {
     let posts = Posts::default();
@@ -55,7 +57,7 @@ pub(super) fn file(rendering: &Rendering<'_>) -> (String, String) {
     }
     gathering.catalogues();
     gathering.matter();
-    (format!("{ASSETS}/search-index.js"), gathering.script())
+    (PATH.to_owned(), gathering.script())
 }
 
 impl Gathering<'_> {
