@@ -39,11 +39,15 @@ pub mod chart;
 #[cfg(feature = "publish")]
 pub mod cli;
 #[cfg(feature = "publish")]
+pub mod compare;
+#[cfg(feature = "publish")]
 pub mod compose;
 #[cfg(feature = "publish")]
 pub mod diag;
 #[cfg(feature = "publish")]
 pub mod exhibits;
+#[cfg(feature = "publish")]
+pub mod explain;
 #[cfg(feature = "publish")]
 pub mod generate;
 #[cfg(feature = "publish")]
@@ -63,7 +67,11 @@ pub mod render;
 #[cfg(feature = "publish")]
 pub mod run;
 #[cfg(feature = "publish")]
+pub mod schema;
+#[cfg(feature = "publish")]
 pub mod sources;
+#[cfg(feature = "publish")]
+pub mod starter;
 #[cfg(feature = "publish")]
 pub mod verify;
 #[cfg(feature = "publish")]

@@ -37,7 +37,7 @@ pub use format::Format;
 pub(crate) use format::{escape, minus};
 pub use formula::Converter;
 pub use labels::{LabelKind, Labels, Section, Target};
-pub use listing::Listing;
+pub use listing::{Listing, listing_docs};
 pub use references::address;
 pub use seen::Seen;
 pub use terms::Terms;

@@ -5,6 +5,7 @@ mod callouts;
 mod card;
 mod citations;
 mod code;
+mod comparison;
 pub(crate) mod data;
 mod exhibit;
 mod highlight;
@@ -32,6 +33,8 @@ use crate::exhibits::Shown;
 use crate::parse::Course;
 use crate::plan::{Converter, Plan};
 use crate::workspace::{CHAPTERS, Workspace};
+
+pub use comparison::comparison;
 
 use citations::Citations;
 use templates::Templates;
