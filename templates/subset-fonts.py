@@ -15,18 +15,24 @@ LATIN = (
     "20-7E,A0-FF,100-17F,192,218-21B,2C6,2C7,2D8-2DD,2009,200A,2010-2015,2018-201E,2020-2022,2026,202F,2030,"
     "2032,2033,2039,203A,2044,20AC,2122,2190-2193,2212"
 )
+# Powers and indices that texts and tables write as characters. What a face lacks comes from the mathematics, where the rest are drawn.
+SCRIPTS = "2B0,2B2,2B3,2B7,2B8,2E1-2E3,1D43,1D47-1D49,1D4D,1D4F,1D50,1D52,1D56-1D58,1D5B,2070,2071,2074-207F,2080-208E"
 GREEK = "391-3A9,3B1-3C9"
 BOXES = "2500-257F"
 MATHEMATICS = (
     "20-7E,A0-FF,131,237,2C6,2C7,2D8-2DD,300-30C,327,332,338,391-3A9,3B1-3C9,3D1,3D2,3D5,3D6,3F0,3F1,3F4,3F5,"
     "2002-200B,2010,2013,2014,2016,2018,2019,201C,201D,2020-2022,2026,202F,2032-2037,203E,2044,2057,2061-2064,"
-    "20D0,20D1,20D6,20D7,20DB,20DC,2102-2138,213C-2140,2190-21A6,21A9-21B1,21BC-21CC,21D0-21DD,2200-22A5,"
+    "2070,2071,2074-207F,2080-208E,20D0,20D1,20D6,20D7,20DB,20DC,2102-2138,213C-2140,2190-21A6,21A9-21B1,21BC-21CC,21D0-21DD,2200-22A5,"
     "22A8-22AE,22B2-22BB,22C0-22C8,22CA-22CE,22D0,22D1,22D6-22DB,22E2-22E9,22EE-22F1,2308-230B,2322,2323,"
     "239B-23B5,23D0,23DC-23E1,25A0,25A1,25B2-25BD,25C6,25C7,25CB,25CF,25EF,2605,2606,2660-2667,2713,27C2,"
     "27E6-27EF,27F5-27FC,2983-2986,29EB,2A00-2A06,2A0C,2A2F,2A3F,2A7D,2A7E,2A85-2A8C,2A95,2A96,2AA1,2AA2,2AAF,"
     "2AB0,1D400-1D7FF"
 )
 TEXT_FEATURES = ["kern", "liga", "ccmp", "locl", "mark", "mkmk", "lnum", "pnum", "tnum", "case", "sups"]
+# Letters of indices, which none of the faces has, and how their italic forms are drawn for them.
+INDICES = {0x2090: "a", 0x2091: "e", 0x2092: "o", 0x2093: "x", 0x2096: "k", 0x2097: "l", 0x2098: "m", 0x2099: "n", 0x209A: "p", 0x209B: "s",
+           0x209C: "t", 0x1D62: "i", 0x1D63: "r", 0x1D64: "u", 0x1D65: "v", 0x2C7C: "j"}
+INDEX_SCALE, INDEX_DROP = 0.64, 170
 PRIMES = [0x2032, 0x2033, 0x2034, 0x2035, 0x2036, 0x2037, 0x2057]
 
 
@@ -41,8 +47,31 @@ def redraw(font, name, matrix):
     font["hmtx"][name] = (round(advance * matrix[0]), round(bearing * matrix[0]))
 
 
+def draw_indices(font):
+    """Adds the letters of indices: italic letters of formulas, smaller and lower."""
+    glyphs, cmap = font.getGlyphSet(), font.getBestCmap()
+    drawn = {}
+    for code, letter in INDICES.items():
+        source = cmap[0x1D44E + ord(letter) - ord("a")]
+        outline = DecomposingRecordingPen(glyphs)
+        glyphs[source].draw(outline)
+        pen = TTGlyphPen(None)
+        outline.replay(TransformPen(pen, (INDEX_SCALE, 0, 0, INDEX_SCALE, 0, -INDEX_DROP)))
+        advance, bearing = font["hmtx"][source]
+        drawn[f"uni{code:04X}"] = (code, pen.glyph(), (round(advance * INDEX_SCALE), round(bearing * INDEX_SCALE)))
+    font.setGlyphOrder(font.getGlyphOrder() + list(drawn))
+    for name, (code, glyph, metrics) in drawn.items():
+        font["glyf"].glyphs[name] = glyph
+        font["hmtx"][name] = metrics
+        for table in font["cmap"].tables:
+            if table.isUnicode():
+                table.cmap[code] = name
+    font["glyf"].setGlyphOrder(font.getGlyphOrder())
+
+
 def fit_browsers(font):
     """Mends what browsers make of the font where TeX would do better."""
+    draw_indices(font)
     constants, cmap = font["MATH"].table.MathConstants, font.getBestCmap()
     # Superscripts of brackets stand as high as those of letters.
     constants.SuperscriptBaselineDropMax.Value = 386
@@ -94,9 +123,9 @@ def make(source, target, family, characters, features, axes=None, change=None):
 def main(packages, here):
     serif, sans, mono, mathematics = (packages / name for name in ["source-serif", "source-sans", "source-code-pro", "stix-two-math"])
     weights = (400, 700)
-    make(serif / "VAR/SourceSerif4Variable-Roman.ttf", here / "serif.woff2", "Workbook Serif", LATIN, TEXT_FEATURES, {"wght": weights, "opsz": (10, 40)})
-    make(serif / "VAR/SourceSerif4Variable-Italic.ttf", here / "serif-italic.woff2", "Workbook Serif", LATIN, TEXT_FEATURES, {"wght": weights, "opsz": 16})
-    make(sans / "VF/SourceSans3VF-Upright.ttf", here / "sans.woff2", "Workbook Sans", LATIN + "," + GREEK, TEXT_FEATURES, {"wght": weights})
+    make(serif / "VAR/SourceSerif4Variable-Roman.ttf", here / "serif.woff2", "Workbook Serif", LATIN + "," + SCRIPTS, TEXT_FEATURES, {"wght": weights, "opsz": (10, 40)})
+    make(serif / "VAR/SourceSerif4Variable-Italic.ttf", here / "serif-italic.woff2", "Workbook Serif", LATIN + "," + SCRIPTS, TEXT_FEATURES, {"wght": weights, "opsz": 16})
+    make(sans / "VF/SourceSans3VF-Upright.ttf", here / "sans.woff2", "Workbook Sans", LATIN + "," + GREEK + "," + SCRIPTS, TEXT_FEATURES, {"wght": weights})
     make(mono / "VF/SourceCodeVF-Upright.ttf", here / "mono.woff2", "Workbook Mono", LATIN + "," + BOXES, ["ccmp", "mark", "zero"], {"wght": weights})
     make(mathematics / "files/stix-two-math-latin-400-normal.woff2", here / "math.woff2", "Workbook Math", MATHEMATICS, ["ccmp", "locl"], change=fit_browsers)
 

@@ -5,7 +5,7 @@ use super::geometry::Window;
 use super::legend::{self, Entry};
 use super::resolve::{self, Extent};
 use super::ticks::Tick;
-use super::{Chart, ChartError, Figure, Key, Layer, Panel, Rich, Sheet, backend};
+use super::{Chart, ChartError, Figure, Key, Layer, Panel, Rich, Sheet, backend, path};
 
 /// Where a panel's axes stand, in hundredths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -324,5 +324,5 @@ fn write(sheet: &Sheet, plots: &[Plot<'_>], key: &Keyed, height: f64) -> Result<
         page.finish()?;
     }
     svg.push_str("</svg>\n");
-    Ok(Figure { svg, width: sheet.width, height: f64::from(height) / backend::UNIT })
+    Ok(Figure { svg: path::short(&svg), width: sheet.width, height: f64::from(height) / backend::UNIT })
 }

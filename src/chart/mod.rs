@@ -21,6 +21,7 @@ pub mod number;
 mod paint;
 pub mod palette;
 mod panel;
+mod path;
 mod picture;
 mod resolve;
 mod shape;
@@ -79,6 +80,30 @@ pub struct Figure {
     pub width: f64,
     /// Its height in units.
     pub height: f64,
+}
+
+impl Figure {
+    /// The drawing as it stands in a page: without the colours of its own, as [`palette::css`] gives them by class.
+    pub fn in_a_page(&self) -> String {
+        let mut out = String::with_capacity(self.svg.len());
+        let mut rest = self.svg.as_str();
+        while let Some((head, tail)) = rest.split_once("=\"#") {
+            let kept = head.strip_suffix(" fill").or_else(|| head.strip_suffix(" stroke"));
+            match kept.zip(tail.get(6..).and_then(|tail| tail.strip_prefix('"'))) {
+                Some((kept, tail)) => {
+                    out.push_str(kept);
+                    rest = tail;
+                }
+                None => {
+                    out.push_str(head);
+                    out.push_str("=\"#");
+                    rest = tail;
+                }
+            }
+        }
+        out.push_str(rest);
+        out
+    }
 }
 
 #[cfg(test)]

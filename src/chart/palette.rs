@@ -219,7 +219,7 @@ const SAMPLERS: [(&str, Style); 43] = [
     ("orthogonal-array", Style { role: Role::Violet, dash: Dash::Long, marker: Marker::Square }),
     ("orthogonal-array-bush", Style { role: Role::Olive, dash: Dash::Long, marker: Marker::Up }),
     ("correlated-multi-jittered", Style { role: Role::Green, dash: Dash::DashDotDot, marker: Marker::Square }),
-    ("padded-jittered", Style { role: Role::Vermilion, dash: Dash::Dotted, marker: Marker::Down }),
+    ("padded-jittered", Style { role: Role::Purple, dash: Dash::Dotted, marker: Marker::Down }),
     ("uniform-jitter", Style { role: Role::Blue, dash: Dash::Dotted, marker: Marker::Diamond }),
     ("centred-grid", Style { role: Role::Muted, dash: Dash::DashDot, marker: Marker::Disc }),
     ("radical-inverse", Style { role: Role::Ochre, dash: Dash::Dotted, marker: Marker::Disc }),

@@ -107,13 +107,21 @@ impl Kind {
             }
             Self::Body(ends, ink, filled) => backend.body(&pieces(at, ends, true), *ink, *filled),
             Self::Disks { radii, rect, ink, filled } => {
-                let (mut closed, mut open) = (String::new(), String::new());
+                // What lies within the panel has the same outline as its fill; what is cut off has not.
+                let (mut whole, mut closed, mut open) = (String::new(), String::new(), String::new());
                 at.for_each(|at| {
-                    disk(at, *radii, *rect, true, &mut closed);
-                    disk(at, *radii, *rect, false, &mut open);
+                    let (mut fill, mut line) = (String::new(), String::new());
+                    disk(at, *radii, *rect, true, &mut fill);
+                    disk(at, *radii, *rect, false, &mut line);
+                    if *filled > 0 && fill == line {
+                        whole.push_str(&fill);
+                    } else {
+                        closed.push_str(&fill);
+                        open.push_str(&line);
+                    }
                 });
-                if *filled > 0 && closed == open && !closed.is_empty() {
-                    return backend.body(&closed, *ink, *filled);
+                if !whole.is_empty() {
+                    backend.body(&whole, *ink, *filled)?;
                 }
                 if *filled > 0 && !closed.is_empty() {
                     backend.fill(&closed, ink.role, *filled, false)?;

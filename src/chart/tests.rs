@@ -1,5 +1,6 @@
 //! Whole figures: well-formed, finite, small, the same every time; points within their strata as written; errors as values.
 
+use super::path::tests::places;
 use super::*;
 
 fn sheet() -> Sheet {
@@ -45,10 +46,8 @@ fn figures_are_well_formed_and_repeat() {
 /// The centres of the discs of a figure, in hundredths.
 fn discs(svg: &str) -> Vec<(i64, i64)> {
     let data = svg.lines().find(|line| line.matches("h0").count() > 3).unwrap();
-    let number = |text: &str| (text.parse::<f64>().unwrap() * 100.0).round() as i64;
-    let data = data.split_once(" d=\"M").unwrap().1.split_once('"').unwrap().0;
-    let pair = |text: &str| text.split_once(' ').map(|(x, y)| (number(x), number(y)));
-    data.split('M').filter_map(|part| pair(part.strip_suffix("h0")?)).collect()
+    let data = data.split_once(" d=\"").unwrap().1.split_once('"').unwrap().0;
+    places(data).into_iter().filter(|place| place.0 == 'm').map(|(_, x, y)| (x, y)).collect()
 }
 
 #[test]
@@ -58,9 +57,8 @@ fn points_are_in_their_strata_as_written() {
     let panel = Panel::unit_square().strata(Strata::slabs(n)).with(Marks::new(points.clone()));
     let figure = Chart::new(panel).draw(&sheet()).unwrap();
     let frame = figure.svg.lines().find(|line| line.ends_with("z\"/>")).unwrap();
-    let corners = frame.split_once(" d=\"M").unwrap().1.trim_end_matches("z\"/>");
-    let corners: Vec<i64> = corners.split(' ').map(|v| (v.parse::<f64>().unwrap() * 100.0).round() as i64).collect();
-    let (left, top, side) = (corners[0], corners[1], corners[2] - corners[0]);
+    let corners = places(frame.split_once(" d=\"").unwrap().1.trim_end_matches("\"/>"));
+    let (left, top, side) = (corners[0].1, corners[0].2, corners[1].1 - corners[0].1);
     for ((x, y), &(a, b)) in discs(&figure.svg).into_iter().zip(&points) {
         let inside = |at: i64, value: f64| {
             let k = (value * f64::from(n)).floor() as i64;
@@ -172,8 +170,21 @@ fn the_line_of_an_axis_can_begin_later_than_its_panel() {
         let panel = Panel::new(x, axis().hidden()).with(Marks::new(vec![(0.5, 0.5)]));
         let svg = Chart::new(panel).draw(&sheet()).unwrap().svg;
         let line = svg.lines().find(|line| line.contains("s-axis")).unwrap();
-        let start = line.split_once(" d=\"M").unwrap().1;
-        start.split_once(' ').unwrap().0.parse::<f64>().unwrap()
+        places(line.split_once(" d=\"").unwrap().1.split_once('"').unwrap().0)[0].1
     };
-    assert!(first(axis().from(0.0)) > first(axis()) + 100.0);
+    assert!(first(axis().from(0.0)) > first(axis()) + 10_000);
+}
+
+#[test]
+fn in_a_page_the_sheet_gives_the_colours() {
+    let layer = Marks::new(vec![(0.2, 0.3)]).style(Style::of("sobol").marker(Marker::Square)).label("=\"#zz");
+    let figure = chart(layer).draw(&sheet()).unwrap();
+    let page = figure.in_a_page();
+    assert!(figure.svg.contains(" fill=\"#") && figure.svg.contains(" stroke=\"#"));
+    assert!(!page.contains(" fill=\"#") && !page.contains(" stroke=\"#"));
+    // Every colour had a class beside it, and nothing else is gone.
+    let coloured = |svg: &str| svg.matches("class=\"f-").count() + svg.matches("class=\"s-").count();
+    assert_eq!(coloured(&page), coloured(&figure.svg));
+    assert!(page.contains("fill=\"none\""));
+    assert_eq!(page.matches("#zz").count(), figure.svg.matches("#zz").count());
 }

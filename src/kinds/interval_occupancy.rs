@@ -199,7 +199,7 @@ mod drawing {
     use super::{Data, Form, Occupancy, Set, shapes};
     use crate::chart::number::integer;
     use crate::chart::{
-        Cell, Chart, ChartError, Column, Drawing, Key, Marks, Panel, Region, Sheet, Strata, Style, Table,
+        Cell, Chart, ChartError, Column, Drawing, Key, Marker, Marks, Panel, Region, Sheet, Strata, Style, Table,
     };
 
     pub(super) fn draw(p: &Occupancy, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -229,7 +229,7 @@ mod drawing {
             .title(title)
             .strata(Strata::boxes(columns as u32, rows as u32))
             .with_all(wrong)
-            .with(Marks::new(set.points.clone()).style(Style::of(&set.method)))
+            .with(Marks::new(set.points.clone()).style(Style::of(&set.method).marker(Marker::Disc)))
     }
 
     fn table(p: &Occupancy, data: &Data) -> Table {

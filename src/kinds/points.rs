@@ -277,7 +277,9 @@ mod drawing {
 
     use super::{Data, Extra, Points, Set, Strata, cuts, side};
     use crate::chart::number::{integer, significant};
-    use crate::chart::{self, Axis, Chart, ChartError, Disks, Drawing, Key, Marks, Panel, Region, Role, Sheet, Style};
+    use crate::chart::{
+        self, Axis, Chart, ChartError, Disks, Drawing, Key, Marker, Marks, Panel, Region, Role, Sheet, Style,
+    };
 
     pub(super) fn draw(p: &Points, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
         let several = data.sets.len() > 1;
@@ -313,7 +315,7 @@ mod drawing {
         marks(p, set, panel, points)
     }
 
-    /// The panel with the points: in one colour, or with each part of the order in its own.
+    /// The panel with the points, as discs, since each method has a panel of its own: in one colour, or with each part of the order in its own.
     fn marks(p: &Points, set: &Set, panel: Panel, points: Vec<(f64, f64)>) -> Panel {
         let sized = |marks: Marks| if p.dimensions == 1 && set.len() <= 64 { marks.size(8.0) } else { marks };
         let named = |marks: Marks, indices: std::ops::Range<usize>| {
@@ -321,7 +323,8 @@ mod drawing {
         };
         if !p.order {
             let count = points.len();
-            return panel.with(named(sized(Marks::new(points).style(Style::of(&set.method))), 0..count));
+            return panel
+                .with(named(sized(Marks::new(points).style(Style::of(&set.method).marker(Marker::Disc))), 0..count));
         }
         let steps = Role::STEPS.len().min(points.len());
         let border = |step: usize| points.len() * step / steps;

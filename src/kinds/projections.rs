@@ -179,7 +179,7 @@ mod drawing {
 
     use super::{Data, Projection, Projections, Set};
     use crate::chart::number::{fixed, integer};
-    use crate::chart::{Chart, ChartError, Drawing, Key, Marks, Panel, Sheet, Strata, Style};
+    use crate::chart::{Chart, ChartError, Drawing, Key, Marker, Marks, Panel, Sheet, Strata, Style};
     use crate::parameters::Pair;
 
     pub(super) fn draw(p: &Projections, data: &Data, sheet: &Sheet) -> Result<Drawing, ChartError> {
@@ -194,7 +194,7 @@ mod drawing {
     fn panel(p: &Projections, set: &Set, projection: &Projection, Pair(i, j): Pair) -> Panel {
         let axes = format!("axes\u{a0}{i},\u{a0}{j}");
         let title = if p.samplers.len() > 1 { format!("{}: {axes}", set.title) } else { axes };
-        let marks = Marks::new(projection.points.clone()).style(Style::of(&set.method));
+        let marks = Marks::new(projection.points.clone()).style(Style::of(&set.method).marker(Marker::Disc));
         let panel = Panel::unit_square().title(title).with(marks);
         match cells(p) {
             Some(side) => panel.strata(Strata::boxes(side, side)),

@@ -87,7 +87,7 @@ pub(super) fn render(rendering: &Rendering<'_>, index: usize) -> (String, Vec<Di
     let (caption, mut diagnostics) = Writer::new(rendering, exhibit.chapter).inline(&exhibit.caption);
     let (class, body, width) = match &shown.drawing {
         Drawing::Figure(figure) | Drawing::Stepper(Stepper { figure, .. }) => {
-            ("figure", figure.svg.clone(), Some(figure.width))
+            ("figure", figure.in_a_page(), Some(figure.width))
         }
         Drawing::Table(drawn) => ("table", table::html(drawn, &rendering.converter), None),
         Drawing::Pictures(drawn) => ("pictures", pictures::html(&exhibit.id, drawn, &rendering.converter), None),

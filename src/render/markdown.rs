@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use pulldown_cmark::{Alignment, CodeBlockKind, Event, HeadingLevel, Tag, TagEnd};
 
+use super::inline::Hold;
 use super::notes::Notes;
 use super::{Rendering, blocks, code};
 use crate::diag::Diagnostic;
@@ -12,12 +13,6 @@ use crate::exhibits;
 use crate::kinds::Measured;
 use crate::parse::{Computed, Formula, Label, Node, Term, ValueUse, What};
 use crate::plan::{Format, escape, links, terms};
-
-/// The character that forbids a line's break where it stands.
-const JOINER: char = '\u{2060}';
-
-/// A formula within a line that has more letters and signs than this may be wider than a small screen.
-const LONG: usize = 22;
 
 /// Writes the nodes of one chapter.
 pub(super) struct Writer<'a> {
@@ -28,6 +23,8 @@ pub(super) struct Writer<'a> {
     pub(super) at: Option<usize>,
     pub(super) notes: Notes,
     table: TableState,
+    /// What holds the last formula and the words after it together.
+    pub(super) hold: Hold,
     /// The block of code being written.
     code: Option<code::Fence>,
     pub(super) diagnostics: Vec<Diagnostic>,
@@ -50,6 +47,7 @@ impl<'a> Writer<'a> {
             at: None,
             notes: Notes::default(),
             table: TableState::default(),
+            hold: Hold::Free,
             code: None,
             diagnostics: Vec::new(),
         }
@@ -133,7 +131,7 @@ impl<'a> Writer<'a> {
             Event::End(tag) => self.end(*tag),
             Event::Text(text) => match &mut self.code {
                 Some(code) => code.text.push_str(text),
-                None => self.out.push_str(&escape(text)),
+                None => self.words(text),
             },
             Event::Code(code) => {
                 let _ = write!(self.out, "<code>{}</code>", escape(code));
@@ -251,29 +249,7 @@ impl<'a> Writer<'a> {
         let _ = write!(self.out, "<a href=\"{}\"{title}>", escape(&href));
     }
 
-    /// A formula within a line. Browsers break lines on either side of one: what touches it is kept with it.
-    fn inline_formula(&mut self, formula: &Formula, next: Option<&Node>) {
-        if self.out.ends_with(['(', '[', '“', '‘', '-', '–', '/']) {
-            self.out.push(JOINER);
-        }
-        let before = self.out.len();
-        self.formula(formula, false);
-        if letters(&self.out[before..]) > LONG {
-            // Lines do not break within a formula: on a small screen this one scrolls.
-            self.out.insert_str(before, "<span class=\"long-formula\">");
-            self.out.push_str("</span>");
-        }
-        let touches = |text: &str| text.starts_with(|c: char| !c.is_whitespace());
-        let joined = match next.map(|next| &next.what) {
-            Some(What::Markdown(Event::Text(text))) => touches(text),
-            next => matches!(next, Some(What::Markdown(Event::FootnoteReference(_)))),
-        };
-        if joined {
-            self.out.push(JOINER);
-        }
-    }
-
-    fn formula(&mut self, formula: &Formula, display: bool) {
+    pub(super) fn formula(&mut self, formula: &Formula, display: bool) {
         // A malformed formula has been told while planning, and then nothing is rendered.
         self.out.push_str(&self.rendering.converter.convert(&formula.tex, display).unwrap_or_default());
     }
@@ -352,9 +328,4 @@ impl<'a> Writer<'a> {
         }
         self.out.push_str(if term.defines { "</dfn>" } else { "</a>" });
     }
-}
-
-/// How many characters a formula shows.
-fn letters(math: &str) -> usize {
-    math.split('>').filter_map(|piece| piece.split('<').next()).map(|text| text.chars().count()).sum()
 }

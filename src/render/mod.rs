@@ -9,6 +9,7 @@ mod comparison;
 pub(crate) mod data;
 mod exhibit;
 mod highlight;
+mod inline;
 mod landing;
 pub(crate) mod machine;
 mod made;

@@ -16,13 +16,13 @@ struct StepperContext<'a> {
     id: &'a str,
     count: usize,
     captions: Vec<String>,
-    strip: Vec<KeyContext<'a>>,
+    strip: Vec<KeyContext>,
 }
 
 #[derive(Serialize)]
-struct KeyContext<'a> {
+struct KeyContext {
     step: usize,
-    drawing: &'a str,
+    drawing: String,
     caption: String,
 }
 
@@ -31,8 +31,11 @@ pub(super) fn html(id: &str, stepper: &Stepper, rendering: &Rendering<'_>, told:
     let captions: Vec<String> =
         stepper.captions.iter().map(|caption| bound(&table::prose(&printed(caption), &rendering.converter))).collect();
     let key = |key: &'_ crate::chart::KeyStep| captions.get(key.step - 1).cloned().unwrap_or_default();
-    let strip =
-        stepper.strip.iter().map(|step| KeyContext { step: step.step, drawing: &step.figure.svg, caption: key(step) });
+    let strip = stepper.strip.iter().map(|step| KeyContext {
+        step: step.step,
+        drawing: step.figure.in_a_page(),
+        caption: key(step),
+    });
     let strip = strip.collect();
     let context = StepperContext { id, count: captions.len(), captions, strip };
     rendering.templates.fill("stepper.html", &StepperPart { stepper: context }, told)

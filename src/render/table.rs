@@ -8,13 +8,18 @@ use crate::plan::{Converter, escape};
 /// From so many columns on a table has less space between them.
 const MANY: usize = 9;
 
+/// How a cell opens and closes that heads nothing: an empty head would be read as one without a name.
+const PLAIN: (&str, &str) = ("td", "td");
+
 /// A table's HTML.
 pub(super) fn html(table: &Table, converter: &Converter) -> String {
     // Many columns stand closer.
     let class_of_all = if table.columns.len() >= MANY { "data many" } else { "data" };
     let mut out = format!("<div class=\"table-wrap\"><table class=\"{class_of_all}\">\n<thead><tr>");
     for column in &table.columns {
-        let _ = write!(out, "<th scope=\"col\"{}>{}</th>", class(column.align, false), prose(&column.head, converter));
+        let words = prose(&column.head, converter);
+        let (open, close) = if words.is_empty() { PLAIN } else { ("th scope=\"col\"", "th") };
+        let _ = write!(out, "<{open}{}>{words}</{close}>", class(column.align, false));
     }
     out.push_str("</tr></thead>\n<tbody>\n");
     let body = table.rows.len().saturating_sub(table.footers);
@@ -33,9 +38,10 @@ fn rows(rows: &[Vec<Cell>], table: &Table, converter: &Converter, out: &mut Stri
     for row in rows {
         out.push_str("<tr>");
         for (index, (cell, column)) in row.iter().zip(&table.columns).enumerate() {
-            let (open, close) = if index < table.row_heads { ("th scope=\"row\"", "th") } else { ("td", "td") };
-            let _ =
-                write!(out, "<{open}{}>{}</{close}>", class(column.align, cell.is_number()), content(cell, converter));
+            let words = content(cell, converter);
+            let heads = index < table.row_heads && !words.is_empty();
+            let (open, close) = if heads { ("th scope=\"row\"", "th") } else { PLAIN };
+            let _ = write!(out, "<{open}{}>{words}</{close}>", class(column.align, cell.is_number()));
         }
         out.push_str("</tr>\n");
     }

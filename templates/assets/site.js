@@ -1,4 +1,4 @@
-// The theme (automatic, light, dark), the keyboard's way into what scrolls sideways, and what the other scripts share: `workbook`.
+// The theme (automatic, light, dark), the opening of the page, the keyboard's way into what scrolls sideways, and what the other scripts share: `workbook`.
 // The pages are complete without any script.
 (function () {
   "use strict";
@@ -14,6 +14,45 @@
 
   // Styles know by it that buttons will work, before anything is painted.
   root.classList.add("js");
+
+  // The page is laid out once: when all of it is there, and in its own faces, so that nothing moves. Who has a slow line does not wait for it.
+  var faces = ["", "italic ", "600 "].map(function (style) { return style + '1em "Workbook Serif"'; })
+    .concat(['1em "Workbook Sans"', '1em "Workbook Mono"', '1em "Workbook Math"']);
+  // What is done when all of it is laid out.
+  var settled = function () {};
+  function end(state) { return function () { root.classList.remove(state); }; }
+
+  // Of a long page, what is far below the window is laid out piece by piece when the rest is there; all at once when the reader does anything.
+  function postpone() {
+    var later = Array.prototype.slice.call(document.querySelectorAll(".text > *"), 30);
+    var opened = (performance.getEntriesByType("navigation")[0] || {}).type;
+    if (later.length < 60 || location.hash || opened !== "navigate" || !window.requestIdleCallback) return;
+    root.classList.add("settling");
+    later.forEach(function (block) { block.classList.add("later"); });
+    function settle(count) {
+      later.splice(0, count).forEach(function (block) { block.classList.remove("later"); });
+      if (later.length || !root.classList.contains("settling")) return;
+      root.classList.remove("settling");
+      settled();
+    }
+    function piece() {
+      settle(20);
+      if (later.length) requestIdleCallback(piece, { timeout: 50 });
+    }
+    window.addEventListener("load", function () { requestIdleCallback(piece, { timeout: 200 }); });
+    ["keydown", "pointerdown", "wheel", "touchstart", "beforeprint", "hashchange"].forEach(function (event) {
+      window.addEventListener(event, function () { settle(later.length); }, { once: true, capture: true, passive: true });
+    });
+  }
+
+  if (document.fonts && document.readyState === "loading") {
+    root.classList.add("parsing", "faceless");
+    // Before the scripts that wait for the whole page, since they measure it.
+    document.addEventListener("readystatechange", function () { postpone(); end("parsing")(); }, { once: true });
+    setTimeout(end("parsing"), 250);
+    setTimeout(end("faceless"), 400);
+    Promise.all(faces.map(function (face) { return document.fonts.load(face); })).then(end("faceless"), end("faceless"));
+  }
 
   function recall() {
     var asked = /[?&]theme=(light|dark)/.exec(location.search);
@@ -48,17 +87,20 @@
     show();
   });
 
-  // Not every browser lets the keyboard reach a box that scrolls.
-  function reach() {
-    document.querySelectorAll(".exhibit-body, .table-wrap, pre, math, .long-formula").forEach(function (box) {
-      if (box.scrollWidth > box.clientWidth + 1) box.setAttribute("tabindex", "0");
+  // Not every browser lets the keyboard reach a box that scrolls. All are measured before any is changed, so that nothing is laid out twice.
+  function reach(part) {
+    var boxes = Array.prototype.slice.call(part.querySelectorAll(".exhibit-body, .table-wrap, pre, math[display=block], .long-formula"));
+    var wide = boxes.map(function (box) { return box.scrollWidth > box.clientWidth + 1; });
+    boxes.forEach(function (box, at) {
+      if (wide[at]) box.setAttribute("tabindex", "0");
       else box.removeAttribute("tabindex");
     });
   }
-  window.addEventListener("load", reach);
-  window.addEventListener("resize", reach);
+  settled = function () { reach(document); };
+  window.addEventListener("load", function () { if (!root.classList.contains("settling")) settled(); });
+  window.addEventListener("resize", function () { reach(document); });
   // What is folded has no width; the event does not bubble.
-  document.addEventListener("toggle", reach, true);
+  document.addEventListener("toggle", function (event) { if (event.target.open) reach(event.target); }, true);
 
   document.addEventListener("click", function (event) {
     var link = event.target.closest && event.target.closest("a[href]");

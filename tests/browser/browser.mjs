@@ -62,17 +62,21 @@ export async function context(browser, view) {
 /** Opens a page and keeps what it says and asks for: `{ page, seen }`. */
 export async function open(made, url) {
   const page = await made.newPage();
+  page.setDefaultTimeout(10000);
+  page.setDefaultNavigationTimeout(30000);
   const seen = { messages: [], requests: [] };
   page.on("console", (message) => { if (["error", "warning", "assert"].includes(message.type())) seen.messages.push(`${message.type()}: ${message.text()}`); });
   page.on("pageerror", (error) => seen.messages.push(`error: ${error.message}`));
-  page.on("requestfailed", (request) => seen.messages.push(`not loaded: ${request.url()} (${request.failure()?.errorText})`));
+  // What is broken off when the page is left was not missing.
+  page.on("requestfailed", (request) => request.failure()?.errorText !== "net::ERR_ABORTED" && seen.messages.push(`not loaded: ${request.url()} (${request.failure()?.errorText})`));
   page.on("request", (request) => { if (!/^(file|data|blob|about):/.test(request.url())) seen.requests.push(request.url()); });
   if (url) await visit(page, url);
   return { page, seen };
 }
 
-/** Goes to an address and waits until all of it is there: faces too, which load after the event. */
+/** Goes to an address and waits until all of it is there: faces too, which load after the event, and what is laid out only then. */
 export async function visit(page, url) {
   await page.goto(url, { waitUntil: "load" });
   await page.evaluate(() => document.fonts.ready.then(() => true));
+  await page.waitForSelector("html:not(.settling, .faceless, .parsing)", { state: "attached", timeout: 10000 });
 }

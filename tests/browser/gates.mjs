@@ -5,7 +5,8 @@
 // BOOK is the folder of a built book, `book` if none is given. A gate is a file in gates/. It exports a sentence `about`, and
 // - `views` and `look({ page, seen, view, url, name, report })`: every page is opened once in each view, and all gates that name the view look at it,
 //   those that export `last` after the others, since they change it;
-// - or `walk({ browser, book, report, each, open })`: the gate opens what it needs.
+// - or `walk({ browser, book, report, each, open })`: the gate opens what it needs; a gate that has both looks first.
+// In the views of `SAMPLED` only some members of the catalogue are opened: they are all made from one template, and other views see all of them.
 // `report(where, what)` tells a failure. What `look` and `walk` return is a count, which is printed as what was looked at.
 // A gate that exports `needs` is skipped where the book has no such file. Without a browser the gates are skipped. Where the variable CI is set, what
 // is skipped is a failure.
@@ -16,6 +17,9 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 const here = dirname(fileURLToPath(import.meta.url));
 /** Pages at a time. */
 const TOGETHER = 2;
+const SAMPLED = ["dark", "zoomed", "still"];
+/** Of so many members one is in a sample. */
+const MEMBERS = 5;
 /** The most failures of a gate that are printed. */
 const TOLD = 20;
 
@@ -36,9 +40,12 @@ export function read(folder, only) {
   pages.sort((a, b) => texts.get(b).length - texts.get(a).length || (a < b ? -1 : 1));
   // Pages that only lead on to another are no places to look at.
   const moved = (file) => /<meta http-equiv="refresh"/i.test(texts.get(file));
+  let members = 0;
+  const sample = (file) => !texts.get(file).includes('<nav class="breadcrumb"') || members++ % MEMBERS === 0;
   return {
     root,
     pages: pages.filter((file) => !moved(file)),
+    sample: pages.filter((file) => !moved(file) && sample(file)),
     text: (file) => texts.get(file),
     url: (file) => pathToFileURL(join(root, file)).href,
     has: (file) => existsSync(join(root, file)),
@@ -75,7 +82,7 @@ export async function run({ browser, book, gates, tell = () => {} }) {
     const looking = gates.filter((gate) => gate.views?.includes(view)).sort((a, b) => Number(a.last ?? false) - Number(b.last ?? false));
     if (!looking.length) continue;
     const made = await context(browser, view);
-    await each(book.pages, async (file) => {
+    await each(SAMPLED.includes(view) ? book.sample : book.pages, async (file) => {
       const { page, seen } = await open(made);
       const url = book.url(file);
       try {
@@ -91,7 +98,7 @@ export async function run({ browser, book, gates, tell = () => {} }) {
     });
     await made.close().catch(() => {});
   }
-  looked(gates.filter((gate) => gate.look), tell);
+  looked(gates.filter((gate) => gate.look && !gate.walk), tell);
   for (const gate of gates.filter((gate) => gate.walk)) {
     if (!browser && gate.browser !== false) continue;
     const contexts = [];

@@ -42,7 +42,7 @@ function lostText(page) {
   return page.evaluate(() => {
     const slides = window.workbook.deck.state().slides;
     const noted = new Set(slides.flatMap((slide) => slide.notes));
-    return [...document.querySelectorAll("article.text > p")].filter((p) => !noted.has(p)).map((p) => p.textContent.slice(0, 60));
+    return [...document.querySelectorAll("article.text > p:not(.fold-all)")].filter((p) => !noted.has(p)).map((p) => p.textContent.slice(0, 60));
   });
 }
 

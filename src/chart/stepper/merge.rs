@@ -1,6 +1,6 @@
-//! Merging of frames: each element once, with the steps that show it and the places to which it moves; and shorter paths.
+//! Merging of frames: each element once, with the steps that show it and the places to which it moves; and paths that look alike joined.
 
-use crate::chart::backend::{TRACK, hundredths};
+use crate::chart::backend::TRACK;
 use std::fmt::Write;
 
 /// An element of a frame: one line of its SVG.
@@ -43,70 +43,6 @@ impl<'a> Element<'a> {
     }
 }
 
-/// The SVG with the lines of its paths relative and without needless characters: the same hundredths in fewer bytes.
-pub(super) fn short(svg: &str) -> String {
-    let mut out = String::with_capacity(svg.len());
-    for line in svg.lines() {
-        match line.split_once(" d=\"").and_then(|(head, rest)| Some((head, rest.split_once('"')?))) {
-            Some((head, (data, tail))) => {
-                out.push_str(head);
-                out.push_str(" d=\"");
-                path(data, &mut out);
-                out.push('"');
-                out.push_str(tail);
-            }
-            None => out.push_str(line),
-        }
-        out.push('\n');
-    }
-    out
-}
-
-/// Appends a path's data with the lines after each `M` made relative; what else it holds stays.
-fn path(data: &str, out: &mut String) {
-    let mut rest = data;
-    while let Some(command) = rest.chars().next() {
-        let end = rest[1..].find(|c: char| c.is_ascii_alphabetic()).map_or(rest.len(), |at| at + 1);
-        let (part, after) = rest.split_at(end);
-        rest = after;
-        let numbers: Option<Vec<i32>> = part[1..].split(' ').map(whole).collect();
-        let Some(numbers) = numbers.filter(|numbers| command == 'M' && numbers.len() % 2 == 0) else {
-            out.push_str(part);
-            continue;
-        };
-        let mut at: Option<(i32, i32)> = None;
-        for pair in numbers.chunks_exact(2) {
-            let (x, y) = (pair[0], pair[1]);
-            match at.map(|(left, top)| (x - left, y - top)) {
-                None => numbered('M', &[x, y], out),
-                Some((x, 0)) => numbered('h', &[x], out),
-                Some((0, y)) => numbered('v', &[y], out),
-                Some((x, y)) => numbered('l', &[x, y], out),
-            }
-            at = Some((x, y));
-        }
-    }
-}
-
-/// The hundredths that a number as written stands for.
-fn whole(text: &str) -> Option<i32> {
-    text.parse::<f64>().ok().map(|number| (number * 100.0).round() as i32)
-}
-
-/// Appends a command with its numbers in hundredths.
-fn numbered(command: char, numbers: &[i32], out: &mut String) {
-    out.push(command);
-    for (index, &number) in numbers.iter().enumerate() {
-        if index > 0 && number >= 0 {
-            out.push(' ');
-        }
-        let mut text = String::new();
-        hundredths(number, &mut text);
-        // No zero before the point.
-        out.push_str(&if text.starts_with("0.") || text.starts_with("-0.") { text.replacen('0', "", 1) } else { text });
-    }
-}
-
 /// The SVG with neighbouring paths that look alike joined into one; what is translucent stays apart, as it may overlap.
 pub(super) fn joined(svg: &str) -> String {
     let mut out = String::with_capacity(svg.len());
@@ -131,7 +67,7 @@ pub(super) fn joined(svg: &str) -> String {
 }
 
 /// The frames as one SVG. All begin with the same lines, and end with `</svg>`.
-pub(super) fn merged(frames: &[String]) -> String {
+pub(super) fn merged(frames: &[&str]) -> String {
     let mut merged: Vec<Merged<'_>> = Vec::new();
     for (step, frame) in frames.iter().enumerate() {
         let elements: Vec<Element<'_>> = frame.lines().filter(|line| *line != "</svg>").map(Element::read).collect();

@@ -100,7 +100,7 @@ impl Steps {
         if let Some(at) = frames.iter().position(|frame| (frame.width, frame.height) != (last.width, last.height)) {
             return Err(ChartError::Drawing(format!("step {} has another size than the last", at + 1)));
         }
-        let svgs: Vec<String> = frames.iter().map(|frame| merge::short(&frame.svg)).collect();
+        let svgs: Vec<&str> = frames.iter().map(|frame| frame.svg.as_str()).collect();
         let figure = Figure { svg: merge::merged(&svgs), width: last.width, height: last.height };
         let captions = self.frames.iter().map(|step| step.caption.clone()).collect();
         Ok(Stepper { figure, captions, strip: self.strip(sheet)? })
@@ -122,7 +122,7 @@ impl Steps {
                 width: self.small,
             };
             let figure = frame.chart.clone().still().draw(&sheet);
-            let figure = figure.map(|figure| Figure { svg: merge::joined(&merge::short(&figure.svg)), ..figure });
+            let figure = figure.map(|figure| Figure { svg: merge::joined(&figure.svg), ..figure });
             Some(figure.map(|figure| KeyStep { step, figure }))
         });
         drawn.collect()

@@ -1,8 +1,6 @@
 //! Steppers: replaying the stored changes gives each frame, byte by byte; the last is shown; small; refusals.
 
 use super::*;
-use std::fmt::Write as _;
-
 use crate::chart::{Axis, Disks, Marks, Note, Panel, Region, Strata};
 
 fn sheet() -> Sheet {
@@ -49,51 +47,6 @@ fn untracked(svg: &str) -> String {
     svg.lines().map(line).collect()
 }
 
-/// An SVG whose paths have absolute coordinates only, in hundredths.
-fn absolute(svg: &str) -> String {
-    let line = |line: &str| match line.split_once(" d=\"") {
-        Some((head, rest)) => format!("{head} d=\"{}\n", lines(rest)),
-        None => format!("{line}\n"),
-    };
-    svg.lines().map(line).collect()
-}
-
-/// The corners of a path, read character by character.
-fn lines(data: &str) -> String {
-    let (mut numbers, mut number, mut command, mut at, mut out) =
-        (Vec::new(), String::new(), 'M', (0, 0), String::new());
-    for c in data.chars() {
-        let ends = c.is_ascii_alphabetic() || matches!(c, ' ' | '-' | '"');
-        if ends && !number.is_empty() {
-            numbers.push((number.parse::<f64>().unwrap() * 100.0).round() as i64);
-            number.clear();
-        }
-        let moved = match (command, &numbers[..]) {
-            ('M', &[x, y]) => Some((x, y)),
-            ('l', &[x, y]) => Some((at.0 + x, at.1 + y)),
-            ('h', &[x]) => Some((at.0 + x, at.1)),
-            ('v', &[y]) => Some((at.0, at.1 + y)),
-            _ => None,
-        };
-        if let Some(moved) = moved.filter(|_| ends) {
-            let _ = write!(out, "{moved:?}");
-            at = moved;
-            numbers.clear();
-        }
-        if c.is_ascii_alphabetic() || c == '"' {
-            let _ = write!(out, "{numbers:?}");
-            numbers.clear();
-            command = c;
-            if !matches!(c, 'M' | 'l' | 'h' | 'v') {
-                out.push(c);
-            }
-        } else if c != ' ' {
-            number.push(c);
-        }
-    }
-    out.replace("[]", "")
-}
-
 /// Points that are sorted by swaps, with a region that walks along and notes that come and go.
 fn charts(n: usize) -> Vec<Chart> {
     let mut order: Vec<usize> = (0..n).map(|i| (i * 5 + 3) % n).collect();
@@ -131,7 +84,7 @@ fn replaying_the_changes_gives_each_frame() {
     for (index, chart) in charts.iter().enumerate() {
         let frame = untracked(&chart.draw(&sheet()).unwrap().svg);
         assert!(!frame.contains("data-key"));
-        assert_eq!(absolute(&replay(&stepper.figure.svg, index + 1)), absolute(&frame), "step {}", index + 1);
+        assert_eq!(replay(&stepper.figure.svg, index + 1), frame, "step {}", index + 1);
     }
     assert!(stepper.figure.svg.len() < 20_000, "{}", stepper.figure.svg.len());
 }

@@ -9,7 +9,8 @@ export async function look({ page, report }) {
     // Readers open folds without a script too.
     document.querySelectorAll("details").forEach((fold) => { fold.open = true; });
     const shown = (element) => element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && element.getBoundingClientRect().height > 0;
-    const steps = ".step-captions > p:not(.step-final), .step-controls, .step-controls *";
+    // What only a script could do anything with is hidden on purpose.
+    const steps = ".step-captions > p:not(.step-final), .step-controls, .step-controls *, .fold-all, .fold-all *";
     let seen = 0;
     for (const element of document.querySelectorAll("main :is(p, li, h1, h2, h3, h4, pre, td, th, dt, dd, figcaption, math, figure svg, img)")) {
       if (element.closest(steps) || (!element.textContent.trim() && !element.matches("svg, img"))) continue;

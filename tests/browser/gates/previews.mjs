@@ -47,7 +47,7 @@ export async function walk({ book, open, report }) {
 async function checked(page, name, report, link) {
   await page.waitForSelector(CARD, { timeout: 2000 }).catch(() => {});
   const card = page.locator(CARD);
-  if (!(await card.count())) return report(`${name}: no card is shown`);
+  if (!(await card.isVisible())) return report(`${name}: no card is shown`);
   const { text, box, room, stops, ids } = await card.evaluate((one) => ({
     text: one.textContent.trim(),
     box: one.getBoundingClientRect().toJSON(),
