@@ -1,8 +1,9 @@
 //! Embeds the sources of the library in the library, so that a listing shows, and a key hashes, the very text that was compiled.
 //!
 //! Writes to `OUT_DIR`: `sources.rs`, a sorted table of every file below `src/`; `digests.rs`, the digests of these and of `Cargo.lock` for
-//! the keys of results, which a run would take longer to compute than all else that it repeats, and that of the whole program; and `templates.rs`, a sorted table
-//! of the templates and assets that every course has unless it brings its own.
+//! the keys of results, which a run would take longer to compute than all else that it repeats, and that of the whole program; `templates.rs`, a sorted table
+//! of the templates and assets that every course has unless it brings its own; `starter.rs`, the files of the course that `init` writes;
+//! and `explain.rs`, the explanations of diagnostics.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -23,6 +24,8 @@ mod sources {
 fn main() -> io::Result<()> {
     println!("cargo:rerun-if-changed=src");
     println!("cargo:rerun-if-changed=templates");
+    println!("cargo:rerun-if-changed=starter");
+    println!("cargo:rerun-if-changed=explain");
     println!("cargo:rerun-if-changed=Cargo.lock");
     println!("cargo:rerun-if-changed=Cargo.toml");
     println!("cargo:rerun-if-changed=build.rs");
@@ -30,6 +33,8 @@ fn main() -> io::Result<()> {
     fs::write(out.join("sources.rs"), table("src", "FILES")?)?;
     #[cfg(feature = "publish")]
     fs::write(out.join("digests.rs"), digests()?)?;
+    fs::write(out.join("explain.rs"), table("explain", "EXPLANATIONS")?)?;
+    fs::write(out.join("starter.rs"), table("starter", "STARTER")?)?;
     fs::write(out.join("templates.rs"), table("templates", "TEMPLATES")?)
 }
 

@@ -159,6 +159,8 @@ codes! {
     Bibliography = "W0007";
     /// A template is broken.
     Template = "W0008";
+    /// A file that would be written is there already.
+    Exists = "W0012";
     /// Git was asked, and could not tell.
     History = "W0011";
     // What authors write.

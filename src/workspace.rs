@@ -1,6 +1,7 @@
 //! The workspace: every input of a course, read once and sorted. The only reader of the course's files.
 
 pub mod history;
+pub mod revision;
 pub mod watch;
 
 use std::collections::BTreeMap;
@@ -94,7 +95,9 @@ pub fn load(root: &Path) -> (Workspace, Vec<Diagnostic>) {
         diagnostics.push(
             Diagnostic::error(Code::NoCourse, format!("there is no folder `{CHAPTERS}` here, so there is no course"))
                 .help("run the command in a course's folder, or name it with `--root DIR`")
-                .help(format!("a course is a folder with `{CONFIGURATION}` and chapters beside it")),
+                .help(format!(
+                    "a course is a folder with `{CONFIGURATION}` and chapters beside it; `workbook init DIR` makes one"
+                )),
         );
         return (workspace, diagnostics);
     }

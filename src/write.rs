@@ -1,5 +1,7 @@
 //! The writer: the book's folder is replaced whole or not at all.
 
+pub mod fresh;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;

@@ -7,7 +7,7 @@ use clap::Args;
 use super::progress::Progress;
 use super::{Exit, Options, report};
 use crate::compose::compose;
-use crate::diag::any_error;
+use crate::diag::{Code, Diagnostic, any_error};
 use crate::verify::lock::Lock;
 use crate::verify::{drift, now, read_lock};
 use crate::write;
@@ -39,11 +39,9 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
     let accepted = match drift::accept(&old, &now, (!reviewed.is_empty()).then_some(&reviewed)) {
         Ok(lock) => lock,
         Err(unknown) => {
-            report::say(
-                &format!("no exhibit has the id {}; `workbook list exhibits` names them all", unknown.join(", ")),
-                options,
-            );
-            return Exit::Call;
+            let message = format!("no exhibit has the id {}", unknown.join(", "));
+            let error = Diagnostic::error(Code::MissingTarget, message).help("`workbook list exhibits` names them all");
+            return report::wrong(&error, Exit::Call, options);
         }
     };
     if let Err(error) = write::write_lock(&options.root, &accepted.text()) {

@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::{Exit, Options, report};
 use crate::compose::{cache, check, jobs};
+use crate::diag::{Code, Diagnostic};
 use crate::receipt::Receipt;
 
 #[derive(Args)]
@@ -40,8 +41,8 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
             Exit::Fine
         }
         Err(error) => {
-            report::say(&format!("the cache cannot be cleaned: {error}"), options);
-            Exit::System
+            let error = Diagnostic::error(Code::Unwritable, format!("the cache cannot be cleaned: {error}"));
+            report::wrong(&error, Exit::System, options)
         }
     }
 }

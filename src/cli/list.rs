@@ -139,8 +139,11 @@ fn sampler(key: &str, options: &Options) -> Exit {
 /// One kind with each of its parameters: name, type, default, meaning.
 fn kind(key: &str, options: &Options) -> Exit {
     let Some(kind) = kinds::find(key) else {
-        report::say(&format!("there is no kind `{key}`; `workbook list kinds` names them all"), options);
-        return Exit::Call;
+        let near = nearest(key, KINDS.iter().map(|kind| kind.about().key));
+        let error = Diagnostic::error(Code::UnknownName, format!("there is no kind `{key}`"))
+            .help_if(near.map(|near| format!("did you mean `{near}`?")))
+            .help("`workbook list kinds` names them all");
+        return report::wrong(&error, Exit::Call, options);
     };
     let docs = kind.parameters();
     let json: Vec<_> = docs

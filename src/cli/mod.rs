@@ -4,13 +4,20 @@ mod accept;
 mod build;
 mod check;
 mod clean;
+mod compare;
+mod explain;
+mod init;
 mod list;
 mod measure;
+mod new;
 mod points;
 mod progress;
 mod report;
 mod run_one;
+mod schema;
 mod serve;
+mod shell;
+mod status;
 mod timings;
 mod verify;
 mod why;
@@ -89,6 +96,10 @@ fn among(formats: &[Format]) -> impl TypedValueParser<Value = Format> + use<> {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Write a small complete course to start from
+    Init(init::Arguments),
+    /// Add a chapter to the course
+    New(new::Arguments),
     /// Make the book
     Build(Readers),
     /// Show the course in a browser, and follow its changes
@@ -99,10 +110,16 @@ enum Command {
     Verify,
     /// Record reviewed exhibits in the lock: those named, or all
     Accept(accept::Arguments),
+    /// Tell what differs between two books, or between revisions
+    Compare(compare::Arguments),
     /// Run the experiment of one exhibit and print its values
     Run(run_one::Arguments),
     /// Tell whether an exhibit is fresh or stale, and why
     Why(why::Arguments),
+    /// Tell what a diagnostic means, with a wrong and a right example
+    Explain(explain::Arguments),
+    /// Tell which exhibits are fresh, and which are stale and why
+    Status(status::Arguments),
     /// List the entries of a catalogue
     List(list::Arguments),
     /// Write the points of a method
@@ -111,6 +128,12 @@ enum Command {
     Measure(measure::Arguments),
     /// Remove cached results
     Clean(clean::Arguments),
+    /// Print the JSON schema of an experiment or of the settings, for editors
+    Schema(schema::Arguments),
+    /// Print what completes commands in a shell
+    Completions(shell::Completions),
+    /// Print the page of the manual: `workbook man | man -l -`
+    Man(shell::Manual),
 }
 
 /// For whom a book is made.
@@ -138,17 +161,25 @@ enum Exit {
 pub fn run() -> ExitCode {
     let cli = Cli::parse();
     let exit = match cli.command {
+        Command::Init(arguments) => init::run(&arguments, &cli.options),
+        Command::New(arguments) => new::run(&arguments, &cli.options),
         Command::Build(readers) => build::run(&readers, &cli.options),
         Command::Serve(arguments) => serve::run(arguments, &cli.options),
         Command::Check(readers) => check::run(&readers, &cli.options),
         Command::Verify => verify::run(&cli.options),
         Command::Accept(arguments) => accept::run(&arguments, &cli.options),
+        Command::Compare(arguments) => compare::run(&arguments, &cli.options),
         Command::Run(arguments) => run_one::run(&arguments, &cli.options),
         Command::Why(arguments) => why::run(&arguments, &cli.options),
+        Command::Explain(arguments) => explain::run(&arguments, &cli.options),
+        Command::Status(arguments) => status::run(&arguments, &cli.options),
         Command::List(arguments) => list::run(&arguments, &cli.options),
         Command::Points(arguments) => points::run(&arguments, &cli.options),
         Command::Measure(arguments) => measure::run(&arguments, &cli.options),
         Command::Clean(arguments) => clean::run(&arguments, &cli.options),
+        Command::Schema(arguments) => schema::run(&arguments),
+        Command::Completions(arguments) => shell::completions(&arguments, &cli.options),
+        Command::Man(arguments) => shell::manual(&arguments, &cli.options),
     };
     ExitCode::from(exit as u8)
 }
@@ -183,7 +214,7 @@ impl Exit {
     fn of_code(code: Code) -> Self {
         match code {
             Code::Unreadable | Code::Unwritable | Code::Address => Self::System,
-            Code::NoCourse | Code::NotABook => Self::Call,
+            Code::NoCourse | Code::NotABook | Code::Exists => Self::Call,
             _ => Self::Course,
         }
     }

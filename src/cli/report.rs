@@ -29,6 +29,9 @@ pub(super) fn diagnostics(found: &[Diagnostic], workspace: &Workspace, options: 
     } else {
         text.push_str(&count(found));
         to_stderr(&text);
+        if let Some(error) = found.iter().find(|diagnostic| diagnostic.severity == Severity::Error) {
+            say(&format!("`workbook explain {}` tells more of such a mistake", error.code.id()), options);
+        }
     }
 }
 
@@ -54,10 +57,13 @@ pub(super) fn stream(options: &Options, write: impl FnOnce(&mut dyn Write) -> io
 
 /// Tells that no exhibit that is right has this id: what is wrong with the course may be why.
 pub(super) fn no_exhibit(id: &str, planned: &Planned, options: &Options) -> Exit {
-    diagnostics(&planned.diagnostics, &planned.workspace, options);
     let ids = planned.plan.exhibits.iter().map(|exhibit| exhibit.id.as_str());
-    let near = nearest(id, ids).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-    say(&format!("no exhibit that is right has the id `{id}`{near}"), options);
+    let near = nearest(id, ids).map(|near| format!("did you mean `{near}`?"));
+    let error = Diagnostic::error(Code::MissingTarget, format!("no exhibit that is right has the id `{id}`"))
+        .help_if(near)
+        .help("`workbook list exhibits` names them all");
+    let all: Vec<Diagnostic> = planned.diagnostics.iter().cloned().chain([error]).collect();
+    diagnostics(&all, &planned.workspace, options);
     Exit::Call
 }
 
@@ -115,6 +121,11 @@ fn rendered(diagnostic: &Diagnostic, workspace: &Workspace, renderer: &Renderer)
         group = group.element(Level::HELP.message(help.as_str()));
     }
     format!("{}\n", renderer.render(&[group]))
+}
+
+/// The file and the line of a place.
+pub(super) fn line_of(place: &Place, workspace: &Workspace) -> String {
+    format!("{}:{}", place.file, position(place, workspace).0)
 }
 
 /// The line and column of a place, both from 1, the column in characters; and the column of its end on that line.

@@ -107,7 +107,7 @@ pub(super) struct Reader<'a, 'w> {
     allow_html: bool,
     /// For each open quote, which callout it is, if any.
     pub(super) quotes: Vec<Option<CalloutKind>>,
-    /// How many links and pictures are open: no reference may stand within them.
+    /// How many links, pictures and blocks of code are open: no reference may stand within them.
     pub(super) links: usize,
     /// Whether a paragraph is open.
     paragraph: bool,
@@ -201,7 +201,10 @@ impl<'a, 'w> Reader<'a, 'w> {
                 let tag = Tag::Link { link_type, dest_url, title, id };
                 self.push(What::Markdown(Event::Start(tag).into_static()), range);
             }
-            tag => self.push(What::Markdown(Event::Start(tag).into_static()), range),
+            tag => {
+                self.links += usize::from(matches!(tag, Tag::CodeBlock(_)));
+                self.push(What::Markdown(Event::Start(tag).into_static()), range);
+            }
         }
     }
 
@@ -213,7 +216,7 @@ impl<'a, 'w> Reader<'a, 'w> {
             },
             TagEnd::HtmlBlock => {}
             tag => {
-                self.links -= usize::from(tag == TagEnd::Link && self.links > 0);
+                self.links -= usize::from(matches!(tag, TagEnd::Link | TagEnd::CodeBlock) && self.links > 0);
                 self.push(What::Markdown(Event::End(tag)), range);
             }
         }
@@ -223,6 +226,7 @@ impl<'a, 'w> Reader<'a, 'w> {
     fn fence(&mut self, info: CowStr<'a>, range: Range<usize>) {
         let word = info.split_whitespace().next().unwrap_or_default().to_owned();
         if word != "experiment" && word != "listing" {
+            self.links += 1;
             return self
                 .push(What::Markdown(Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))).into_static()), range);
         }

@@ -7,6 +7,7 @@ mod audience;
 mod budgets;
 mod callout;
 mod configuration;
+pub mod documented;
 mod emphasis;
 mod events;
 mod fence;

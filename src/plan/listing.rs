@@ -6,7 +6,7 @@ use super::exhibit::{Quoted, bad_id, tell};
 use super::{Reading, Seen};
 use crate::catalogue::nearest;
 use crate::diag::{Code, Diagnostic, Place};
-use crate::parameters::{Complaint, Fields, Parameters, parameters};
+use crate::parameters::{Complaint, Fields, ParameterDoc, Parameters, parameters};
 use crate::parse::{self, Emphasis, Fence, HELP, Node};
 use crate::sources;
 use crate::workspace::CHAPTERS;
@@ -25,6 +25,11 @@ parameters! {
         /// The lines to be looked at first, from 1: `3,5-7`.
         emphasis: Option<String>,
     }
+}
+
+/// What can be written in a listing fence.
+pub fn listing_docs() -> Vec<ParameterDoc> {
+    Written::docs()
 }
 
 /// Code that the book shows.

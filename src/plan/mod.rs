@@ -38,7 +38,7 @@ pub use format::Format;
 pub(crate) use format::{escape, minus};
 pub use formula::Converter;
 pub use labels::{LabelKind, Labels, Section, Target};
-pub use listing::Listing;
+pub use listing::{Listing, listing_docs};
 pub use memo::Memo;
 pub use references::address;
 pub use seen::Seen;

@@ -5,6 +5,7 @@ mod callouts;
 mod card;
 mod citations;
 mod code;
+mod comparison;
 pub(crate) mod data;
 mod exhibit;
 mod highlight;
@@ -38,9 +39,9 @@ use crate::parse::Course;
 use crate::plan::{Converter, Exhibit, Plan};
 use crate::workspace::{CHAPTERS, Workspace};
 
-pub use site::LOST;
-
+pub use comparison::comparison;
 pub use proof::{Looks, Parts, Proof, of_preview};
+pub use site::LOST;
 
 use citations::Citations;
 use templates::Templates;

@@ -7,8 +7,8 @@
 //! set, x_i = (i/n, Phi_b(i)).
 //!
 //! **Guarantees.** Deterministic; star discrepancy O(log^(d-1)(n) / n). In two dimensions and for
-//! n = b^m it is a (0, m, 2)-net in base b, in base 2 of discrepancy (m/3 + 13/9 - (-1)^m 4/(9
-//! 2^m)) / 2^m.
+//! n = b^m it is a (0, m, 2)-net in base b, in base 2 of discrepancy (m/3 + 13/9 - (4/9)
+//! (-1/2)^m) / 2^m.
 //!
 //! **Cost.** As Halton's.
 //!

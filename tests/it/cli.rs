@@ -88,6 +88,48 @@ fn json_is_one_object_a_line_with_places() {
 }
 
 #[test]
+fn what_is_told_of_a_call_is_a_diagnostic_too() {
+    let course = small();
+    let calls: [&[&str]; 5] = [
+        &["run", "fig-piont"],
+        &["why", "fig-piont"],
+        &["accept", "fig-piont"],
+        &["list", "kinds", "ponts"],
+        &["explain", "W01O7"],
+    ];
+    for call in calls {
+        let said = course.say(&[call, &["--format", "json", "--quiet"]].concat());
+        assert_eq!(said.exit, 2, "{call:?}");
+        let line: serde_json::Value =
+            serde_json::from_str(&said.out).unwrap_or_else(|_| panic!("{call:?}: {}", said.out));
+        assert!(line["code"].is_string() && !line["help"].as_array().unwrap().is_empty(), "{line}");
+    }
+}
+
+#[test]
+fn times_are_told_to_people_and_to_programs() {
+    let course = small();
+    let said = course.fine(&["build", "--timings"]);
+    assert!(said.err.contains(" ms  render\n") && said.err.contains("fig-points (ran)"), "{}", said.err);
+    let said = course.fine(&["build", "--timings", "--format", "json", "--quiet", "--no-cache"]);
+    let line: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    let stages: Vec<&str> =
+        line["timings"]["stages"].as_array().unwrap().iter().map(|stage| stage["stage"].as_str().unwrap()).collect();
+    assert!(stages.starts_with(&["read"]) && stages.ends_with(&["in all"]), "{stages:?}");
+    assert_eq!(line["timings"]["experiments"].as_array().unwrap().len(), 2);
+    assert_eq!(said.err, "");
+}
+
+#[test]
+fn nothing_is_coloured_where_nobody_looks() {
+    let course = Course::case("wrong-many");
+    for call in [&["build"][..], &["check"], &["--help"], &["list", "kinds"], &["explain", "W0107"], &["status"]] {
+        let said = course.say(call);
+        assert!(!said.out.contains('\u{1b}') && !said.err.contains('\u{1b}'), "{call:?}");
+    }
+}
+
+#[test]
 fn annotations_of_a_forge_have_places() {
     let said = Course::case("wrong-sampler").say(&["check", "--format", "github"]);
     assert_eq!(said.exit, 1);

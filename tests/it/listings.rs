@@ -6,7 +6,7 @@ use std::path::Path;
 use workbook::compose::Composed;
 use workbook::stats::portable;
 
-use crate::course::{Course, PACKAGE};
+use crate::course::{Course, PACKAGE, small};
 
 const CONFIGURATION: &str = "title = \"A course\"\nauthors = [\"A. Author\"]\n";
 
@@ -167,4 +167,16 @@ fn text_can_be_read_in_both_themes() {
             }
         }
     }
+}
+
+#[test]
+fn what_stands_in_code_is_code() {
+    let course = small();
+    let written = "$a_1 @fig-points @fig-nowhere [@nobody] [^none] [x](define: \"y z\") [x](term:)";
+    let prose = format!("```markdown\n{written}\n```\n\n    {written}\n\nAfter it @fig-points.");
+    course.edit("chapters/01-one.md", "Some prose.", &prose);
+    course.fine(&["build", "--quiet"]).silent();
+    let page = course.read("book/one.html");
+    assert_eq!(page.matches("@fig-nowhere").count(), 2, "in both blocks it stands as it was written");
+    assert!(page.contains("After it <a"), "behind them references are read");
 }

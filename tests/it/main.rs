@@ -24,6 +24,8 @@ mod cli;
 #[cfg(feature = "publish")]
 mod code;
 #[cfg(feature = "publish")]
+mod compare;
+#[cfg(feature = "publish")]
 mod course;
 #[cfg(feature = "publish")]
 mod determinism;
@@ -34,11 +36,15 @@ mod enumeration;
 mod estimation;
 mod expected;
 #[cfg(feature = "publish")]
+mod explain;
+#[cfg(feature = "publish")]
 mod formulas;
 #[cfg(feature = "publish")]
 mod gallery;
 #[cfg(feature = "publish")]
 mod golden;
+#[cfg(feature = "publish")]
+mod guide;
 #[cfg(feature = "publish")]
 mod kinds;
 #[cfg(feature = "publish")]
@@ -67,6 +73,8 @@ mod receipt;
 #[cfg(feature = "publish")]
 mod review;
 #[cfg(feature = "publish")]
+mod schema;
+#[cfg(feature = "publish")]
 mod search;
 #[cfg(feature = "publish")]
 mod serve;
@@ -75,6 +83,8 @@ mod settings;
 mod slides;
 #[cfg(feature = "publish")]
 mod spectral;
+#[cfg(feature = "publish")]
+mod starter;
 mod statistics;
 #[cfg(feature = "publish")]
 mod steppers;
