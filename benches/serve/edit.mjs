@@ -53,9 +53,12 @@ function watch() {
 
 async function open(browser, served, name) {
   const page = await (await browser.newContext({ viewport: { width: 1280, height: 800 } })).newPage();
+  await page.addInitScript(watch);
   await page.goto(served.address + name);
-  await page.evaluate(watch);
-  await page.waitForFunction(() => !document.querySelector(".live-stale"), null, { timeout: 600_000 });
+  const whole = () => document.querySelector("main") && !document.querySelector(".live-blank, .live-stale, .live-bar > .live-stale");
+  await page.waitForFunction(whole, null, { timeout: 600_000 });
+  await rest(1000);
+  await page.waitForFunction(whole, null, { timeout: 600_000 });
   return page;
 }
 

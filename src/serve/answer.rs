@@ -133,7 +133,7 @@ fn answer(head: &Head, desk: &Desk) -> Reply {
     if path.ends_with(".html") {
         return page(&path, desk);
     }
-    match desk.now().proof.and_then(|proof| proof.file(&path)) {
+    match desk.first().proof.and_then(|proof| proof.file(&path)) {
         Some(body) => Reply { status: 200, kind: http::kind_of(&path), body },
         None => Reply::refusal(404, "the book has no such file"),
     }
