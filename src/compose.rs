@@ -255,12 +255,14 @@ fn outcomes(plan: &Plan, ran: &[Ran]) -> (Vec<Option<Keyed>>, Vec<Diagnostic>) {
 
 /// How long each stage takes.
 #[derive(Default)]
-struct Clock {
-    times: Vec<(&'static str, Duration)>,
+pub(crate) struct Clock {
+    /// The stages, each with its time.
+    pub(crate) times: Vec<(&'static str, Duration)>,
 }
 
 impl Clock {
-    fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
+    /// Does the work of a stage.
+    pub(crate) fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let value = work();
         self.times.push((stage, start.elapsed()));

@@ -3,7 +3,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 const EXHIBITS = 10;
-const SAMPLERS = ["independent", "jittered", "halton", "sobol", "sobol+owen"];
+const SAMPLERS = ["independent", "latin-hypercube", "halton", "sobol", "sobol+owen"];
 
 function exhibit(chapter, at) {
   const id = `fig-${chapter}-${at}`, seed = 1000 * chapter + at, sampler = SAMPLERS[at % SAMPLERS.length];

@@ -21,9 +21,12 @@ const edits = Number(option("edits", 60)), rebuilds = Number(option("rebuilds", 
 const only = option("only", "prose,made,parameter,memory").split(",");
 const program = process.env.WORKBOOK ?? "target/release/workbook";
 
+const children = [];
+
 /** Serves a course; `ran` has how long experiments took, in milliseconds. */
 async function serve(root) {
   const child = spawn(program, ["serve", "--root", root, "--port", "0"], { stdio: ["ignore", "pipe", "pipe"] });
+  children.push(child);
   const served = { child, ran: {} };
   child.stderr.on("data", (data) => {
     for (const [, ids, time, unit] of String(data).matchAll(/^ran (.*) \(([\d.]+)(µs|ms|s)\)$/gm)) {
@@ -50,9 +53,12 @@ function watch() {
 
 async function open(browser, served, name) {
   const page = await (await browser.newContext({ viewport: { width: 1280, height: 800 } })).newPage();
+  await page.addInitScript(watch);
   await page.goto(served.address + name);
-  await page.evaluate(watch);
-  await page.waitForFunction(() => !document.querySelector(".live-stale"), null, { timeout: 600_000 });
+  const whole = () => document.querySelector("main") && !document.querySelector(".live-blank, .live-stale, .live-bar > .live-stale");
+  await page.waitForFunction(whole, null, { timeout: 600_000 });
+  await rest(1000);
+  await page.waitForFunction(whole, null, { timeout: 600_000 });
   return page;
 }
 
@@ -134,7 +140,12 @@ try {
     console.log(`memory of the made course: ${memory(state.served).toFixed(0)} MB`);
     state.served.child.kill();
   }
+} catch (error) {
+  console.error(error);
+  process.exitCode = 1;
 } finally {
   await browser.close();
+  children.forEach((child) => child.kill());
+  await rest(500);
   rmSync(folder, { recursive: true, force: true });
 }

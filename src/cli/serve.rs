@@ -4,12 +4,13 @@ use std::net::{IpAddr, Ipv4Addr};
 use std::process::{Command, Stdio};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 
 use clap::Args;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
-use super::{Exit, Options, Readers, report};
+use super::{Exit, Options, Readers, report, timings};
 use crate::compose::Request;
 use crate::diag::{Diagnostic, Place, Severity};
 use crate::run::{How, Ran};
@@ -129,6 +130,10 @@ impl Teller for Voice {
         if let Some(why) = &ran.unsaved {
             report::say(&format!("the result of {} could not be kept: {why}", ran.ids.join(", ")), &self.options);
         }
+    }
+
+    fn took(&self, times: &[(&'static str, Duration)]) {
+        timings::tell(times, &[], &self.options);
     }
 
     fn text(&self, diagnostic: &Diagnostic, workspace: &Workspace) -> String {

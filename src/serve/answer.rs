@@ -1,7 +1,7 @@
 //! Answering: a thread for each connection, which answers its requests one after the other.
 
-use std::io::Write as _;
-use std::net::{TcpListener, TcpStream};
+use std::io::{Read as _, Write as _};
+use std::net::{Shutdown, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -16,6 +16,9 @@ use crate::render::{LOST, Looks, of_preview};
 const MOST: usize = 128;
 /// How long a connection may be silent.
 const PATIENCE: Duration = Duration::from_secs(30);
+/// How long, and how much of, what is refused is heard out.
+const PARTING: Duration = Duration::from_secs(1);
+const MOST_HEARD: u64 = 1 << 20;
 /// How often an open page hears that the server is there.
 const PULSE: Duration = Duration::from_secs(4);
 
@@ -69,20 +72,13 @@ fn connection(mut stream: TcpStream, desk: &Desk, rules: &Rules) -> std::io::Res
         let head = match http::read(&mut stream, &mut buffer) {
             Ok(head) => head,
             Err(NoRequest::Ended) => return Ok(()),
-            Err(NoRequest::Malformed) => {
-                return http::write(&mut stream, &Reply::refusal(400, "that is no request"), false, false);
-            }
+            Err(NoRequest::Malformed) => return refuse(stream, &Reply::refusal(400, "that is no request"), false),
             Err(NoRequest::TooLong) => {
-                return http::write(
-                    &mut stream,
-                    &Reply::refusal(431, "the head of the request is too long"),
-                    false,
-                    false,
-                );
+                return refuse(stream, &Reply::refusal(431, "the head of the request is too long"), false);
             }
         };
         if let Err(refusal) = rules.check(&head) {
-            return http::write(&mut stream, &refusal, head.method == "HEAD", false);
+            return refuse(stream, &refusal, head.method == "HEAD");
         }
         let head_only = head.method == "HEAD";
         if !head_only && guard::path(&head.target).as_deref() == Some(".workbook/events") {
@@ -93,6 +89,14 @@ fn connection(mut stream: TcpStream, desk: &Desk, rules: &Rules) -> std::io::Res
             return Ok(());
         }
     }
+}
+
+/// Refuses, and hears out what was still being sent: else whoever sends it would not hear why.
+fn refuse(mut stream: TcpStream, refusal: &Reply, head_only: bool) -> std::io::Result<()> {
+    http::write(&mut stream, refusal, head_only, false)?;
+    stream.shutdown(Shutdown::Write)?;
+    stream.set_read_timeout(Some(PARTING))?;
+    std::io::copy(&mut stream.take(MOST_HEARD), &mut std::io::sink()).map(drop)
 }
 
 /// Tells an open page of every change, until it goes away.
@@ -129,7 +133,7 @@ fn answer(head: &Head, desk: &Desk) -> Reply {
     if path.ends_with(".html") {
         return page(&path, desk);
     }
-    match desk.now().proof.and_then(|proof| proof.file(&path)) {
+    match desk.first().proof.and_then(|proof| proof.file(&path)) {
         Some(body) => Reply { status: 200, kind: http::kind_of(&path), body },
         None => Reply::refusal(404, "the book has no such file"),
     }
@@ -144,7 +148,7 @@ fn page(path: &str, desk: &Desk) -> Reply {
             None => return Reply::refusal(404, "the book has no such page"),
         },
     };
-    Reply { status, kind: http::kind_of("html"), body: page.html(path, &looks(desk)).into_bytes() }
+    Reply { status, kind: http::kind_of(".html"), body: page.html(path, &looks(desk)).into_bytes() }
 }
 
 fn looks(desk: &Desk) -> Looks {
@@ -162,7 +166,7 @@ fn own(name: &str, target: &str, desk: &Desk) -> Reply {
             match desk.page(&path) {
                 Some(page) => Reply {
                     status: 200,
-                    kind: http::kind_of("json"),
+                    kind: http::kind_of(".json"),
                     body: page.patch(&known, &looks(desk)).into_bytes(),
                 },
                 None => Reply::refusal(404, "the book has no such page"),

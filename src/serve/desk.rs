@@ -11,6 +11,9 @@ use crate::sources::Digest;
 /// Of how many pages that were served it is known what they consisted of.
 const REMEMBERED: usize = 64;
 
+/// How long it may take until there is anything to be served.
+const BEGINNING: Duration = Duration::from_secs(20);
+
 /// What there is to be served.
 #[derive(Default)]
 pub(super) struct Desk {
@@ -55,6 +58,11 @@ impl Desk {
         lock(&self.now).clone()
     }
 
+    /// The state once there is any: a course that has just begun to be read takes a moment.
+    pub fn first(&self) -> Now {
+        self.wait(0, BEGINNING)
+    }
+
     /// Puts a new proof on the desk, if there is one, and the news.
     pub fn put(&self, proof: Option<Arc<Proof>>, news: &str) {
         let mut now = lock(&self.now);
@@ -83,7 +91,7 @@ impl Desk {
 
     /// The page at `path` as it is now; none if the book has none there.
     pub fn page(&self, path: &str) -> Option<Arc<Page>> {
-        let Now { proof, edition, .. } = self.now();
+        let Now { proof, edition, .. } = self.first();
         let Some(proof) = proof else { return Some(Arc::new(blank("There is no book yet."))) };
         let known = {
             let pages = lock(&self.pages);

@@ -54,6 +54,8 @@ pub trait Teller: Send + Sync {
     fn found(&self, found: &[Diagnostic], workspace: &Workspace);
     /// An experiment has run.
     fn ran(&self, ran: &Ran);
+    /// The book was made anew, and its stages took so long.
+    fn took(&self, times: &[(&'static str, Duration)]);
     /// A diagnostic as the terminal has it.
     fn text(&self, diagnostic: &Diagnostic, workspace: &Workspace) -> String;
     /// The line and the column of a place, from 1.

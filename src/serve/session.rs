@@ -4,9 +4,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+use std::time::Duration;
 
 use crate::chart::{Cell, Column, Drawing, Figure, Table};
-use crate::compose::{self, Memory, Request, job};
+use crate::compose::{self, Clock, Memory, Request, job};
 use crate::diag::{Diagnostic, any_error};
 use crate::exhibits::{self, Drawn, Keyed, Shown};
 use crate::kinds::{Experiment, Failure, Outcome, Values};
@@ -41,6 +42,8 @@ struct Read {
     plan: Arc<Plan>,
     digest: Digest,
     told: Vec<Diagnostic>,
+    /// How long each stage took.
+    times: Vec<(&'static str, Duration)>,
 }
 
 /// A drawing and what it was drawn from.
@@ -63,6 +66,8 @@ pub(super) struct Update {
     pub stale: Vec<String>,
     /// What is to be run; none if that has not changed.
     pub due: Option<Vec<Job>>,
+    /// How long each stage took.
+    pub times: Vec<(&'static str, Duration)>,
 }
 
 impl Session {
@@ -94,6 +99,7 @@ impl Session {
             plan: Arc::new(planned.plan),
             digest: planned.course_digest,
             told: planned.diagnostics,
+            times: planned.timings,
         });
         true
     }
@@ -110,30 +116,31 @@ impl Session {
 
     /// What follows from what is known.
     pub fn update(&mut self) -> Option<Update> {
-        let Read { workspace, course, plan, told, .. } = self.now.as_ref()?;
+        let Read { workspace, course, plan, told, times, .. } = self.now.as_mut()?;
+        let mut clock = Clock { times: std::mem::take(times) };
         let (workspace, course, plan) = (Arc::clone(workspace), Arc::clone(course), Arc::clone(plan));
         let mut found = told.clone();
         if any_error(&found) {
-            return Some(Update { proof: None, found, workspace, stale: Vec::new(), due: None });
+            return Some(Update { proof: None, found, workspace, stale: Vec::new(), due: None, times: clock.times });
         }
-        let (outcomes, due) = self.outcomes(&plan, &mut found);
-        let (shown, complaints) = self.show(&plan, &outcomes);
+        let (outcomes, due) = clock.time("results", || self.outcomes(&plan, &mut found));
+        let (shown, complaints) = clock.time("exhibits", || self.show(&plan, &outcomes));
         found.extend(complaints);
-        found.extend(exhibits::check_values(&course, &plan, &shown));
+        found.extend(clock.time("values", || exhibits::check_values(&course, &plan, &shown)));
         let (shown, stale) = self.fill(&plan, shown);
         let waiting = due.iter().flat_map(|job| job.ids.iter().cloned()).collect();
         let converter = self.memory.planned.last_converter();
         let converter =
             converter.unwrap_or_else(|| Arc::new(plan::Converter::new(&course.configuration.macros, &mut Vec::new())));
         let parts = Parts { workspace: Arc::clone(&workspace), course, plan, shown, stale, converter };
-        let (proof, complaints) = Proof::new(parts, self.proof.as_deref());
+        let (proof, complaints) = clock.time("proof", || Proof::new(parts, self.proof.as_deref()));
         found.extend(complaints);
         generate::explain(&mut found);
         let proof = proof.map(Arc::new);
         if proof.is_some() {
             self.proof.clone_from(&proof);
         }
-        Some(Update { proof, found, workspace, stale: waiting, due: Some(due) })
+        Some(Update { proof, found, workspace, stale: waiting, due: Some(due), times: clock.times })
     }
 
     /// The result of each exhibit, from memory or from the cache, and the jobs whose results are not there.

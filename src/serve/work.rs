@@ -164,7 +164,8 @@ impl Worker<'_> {
 
     /// Puts what has been made on the desk, then runs what is due.
     fn put(&mut self, update: Update) {
-        let Update { proof, found, workspace, stale, due } = update;
+        let Update { proof, found, workspace, stale, due, times } = update;
+        self.teller.took(&times);
         self.turn.fetch_add(1, Ordering::Relaxed);
         self.tell(&found, &workspace, &stale, proof.clone());
         if let Some(due) = due {

@@ -29,8 +29,8 @@ impl Watch {
     /// Watches the course at `root`, and calls `tell` whenever something may have changed. Where the system gives no watcher, it is
     /// [`Watch::blind`].
     pub fn new(root: &Path, tell: impl Fn() + Send + 'static) -> Self {
-        let root = root.canonicalize().unwrap_or_else(|_| root.to_path_buf());
-        let from = root.clone();
+        let root = root.to_path_buf();
+        let from = whole(&root);
         let watcher = notify::recommended_watcher(move |event: notify::Result<Event>| {
             // What cannot be told from a change counts as one.
             if event.map_or(true, |event| concerns(&event, &from)) {
@@ -49,7 +49,10 @@ impl Watch {
 
     /// Looks whether the folders are still those that are watched, and watches those that are there now. Says whether anything had changed.
     pub fn look(&mut self) -> bool {
-        let paths = [self.root.clone()].into_iter().chain(FOLDERS.map(|folder| self.root.join(folder)));
+        // The folder that a program is in may get another name.
+        let root = whole(&self.root);
+        let paths = FOLDERS.map(|folder| root.join(folder));
+        let paths = [root].into_iter().chain(paths);
         let now: Vec<(PathBuf, Option<Identity>)> = paths.map(|path| (path.clone(), identity(&path))).collect();
         if now == self.watched {
             return false;
@@ -74,6 +77,11 @@ impl Watch {
         }
         true
     }
+}
+
+/// A path from the root of all, if there is something.
+fn whole(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| path.to_path_buf())
 }
 
 /// Whether an event is about something that a build reads.

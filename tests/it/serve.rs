@@ -289,8 +289,10 @@ fn prose_does_not_wait_for_experiments() {
         CHAPTER,
         &course.read(CHAPTER).replace("Some prose.", "Other words.").replace("replicates = 400", "replicates = 4"),
     );
-    events.after(before);
-    assert!(served.get(PAGE).contains("Other words."));
+    let mut before = before;
+    while !served.get(PAGE).contains("Other words.") {
+        before = events.after(before);
+    }
     events.settled();
     let page = served.get(PAGE);
     assert!(!page.contains("This is being computed.") && page.contains("<svg"));
@@ -333,7 +335,7 @@ fn a_burst_of_changes_is_taken_as_one() {
 fn what_is_deleted_or_moved_away_is_told_and_may_come_back() {
     let course = small();
     course.write("chapters/02-two.md", "+++\ntitle = \"Two\"\nsummary = \"The second.\"\n+++\n\nText of two.\n");
-    let served = Served::new(&course);
+    let served = Served::with(&course, &["--port", "0", "--root", course.root().to_str().unwrap()]);
     let mut events = served.events();
     let before = events.settled();
     fs::remove_file(course.path("chapters/02-two.md")).unwrap();
@@ -414,6 +416,15 @@ fn only_this_machine_and_its_own_pages_are_answered() {
     }
     let (_, head, _) = served.ask(PAGE, "");
     assert!(!head.to_lowercase().contains("access-control"), "{head}");
+    assert!(head.contains("Content-Type: text/html; charset=utf-8"), "{head}");
+    let kind = |target: &str| {
+        served.ask(target, "").1.split("Content-Type: ").nth(1).unwrap().lines().next().unwrap().to_owned()
+    };
+    assert_eq!(kind("/"), "text/html; charset=utf-8");
+    assert_eq!(kind("/none.html"), "text/html; charset=utf-8");
+    assert_eq!(kind("/.workbook/live.js"), "text/javascript; charset=utf-8");
+    assert_eq!(kind("/.workbook/page?path=one.html"), "application/json");
+    assert_eq!(kind("/assets/style.css"), "text/css; charset=utf-8");
     assert!(head.contains("X-Frame-Options: DENY") && head.contains("Cross-Origin-Resource-Policy: same-origin"));
     for method in ["POST", "PUT", "DELETE", "OPTIONS", "TRACE"] {
         let (status, ..) =
