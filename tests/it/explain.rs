@@ -1,6 +1,8 @@
 //! The explanations of diagnostics: each code has one, and its examples give what they say.
 
 use std::collections::BTreeSet;
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
 
 use rayon::prelude::*;
 use workbook::diag::Code;
@@ -40,6 +42,9 @@ fn given(example: &Example) -> BTreeSet<(String, String)> {
     for command in before {
         course.fine(&command.split(' ').collect::<Vec<_>>());
     }
+    if last == "serve --port 0" {
+        return served(&course);
+    }
     let said = course.say(&[&last.split(' ').collect::<Vec<_>>()[..], &["--format", "json"]].concat());
     let told = said.out.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok());
     let told: BTreeSet<(String, String)> = told
@@ -47,6 +52,17 @@ fn given(example: &Example) -> BTreeSet<(String, String)> {
         .collect();
     assert!(!told.is_empty() || said.exit == 0, "{last}: {}", said.err);
     told
+}
+
+/// Nothing, if the course is served: that command would not end by itself.
+fn served(course: &Course) -> BTreeSet<(String, String)> {
+    let mut server = course.command(&["serve", "--port", "0", "--quiet"]).stdout(Stdio::piped()).spawn().unwrap();
+    let mut address = String::new();
+    BufReader::new(server.stdout.take().unwrap()).read_line(&mut address).unwrap();
+    server.kill().unwrap();
+    server.wait().unwrap();
+    assert!(address.starts_with("http://127.0.0.1:"), "{address}");
+    BTreeSet::new()
 }
 
 #[test]
