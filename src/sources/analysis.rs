@@ -27,7 +27,12 @@ const NOT_COMPUTING: &[&str] = &[
     "verify/",
     "serve/",
     "write.rs",
+    "write/",
     "cli/",
+    "compare/",
+    "explain.rs",
+    "schema.rs",
+    "starter/",
 ];
 
 /// A table of sources, and what of it computes.
