@@ -202,5 +202,7 @@ fn long_formulas_in_a_line_are_marked_so_that_they_scroll() {
     let html = page("everything", "prose.html");
     assert_eq!(html.matches("class=\"long-formula\"").count(), 1, "one formula of the page is long");
     assert!(between(&html, "<span class=\"long-formula\">", "</span>").starts_with("<math"));
-    assert!(html.contains("Inline <math"), "a short one is left alone");
+    assert!(html.contains("Inline <span class=\"held\"><math"), "a short one is held together with the comma behind it");
+    let held = between(&html, "Inline <span class=\"held\">", "</span>");
+    assert!(held.starts_with("<math") && held.ends_with("</math>,"), "{held}");
 }
