@@ -53,8 +53,7 @@ pub fn show_with(
 ) -> (Vec<Option<Shown>>, Vec<Diagnostic>) {
     let mut diagnostics = Vec::new();
     let values = |id: &str| -> Option<&Values> {
-        let index = plan.exhibits.iter().position(|exhibit| exhibit.id == id)?;
-        outcomes.get(index)?.as_ref().map(|(_, outcome)| &outcome.values)
+        outcomes.get(*plan.places.get(id)?)?.as_ref().map(|(_, outcome)| &outcome.values)
     };
     let shown = plan.exhibits.iter().zip(outcomes).enumerate().map(|(index, (exhibit, keyed))| {
         let keyed = keyed.as_ref()?;

@@ -49,8 +49,7 @@ pub fn computed(calculation: &Calculation, plan: &Plan, shown: &[Shown]) -> Opti
 
 /// The values of the exhibit `id`, if it is there.
 fn values<'s>(plan: &Plan, id: &str, shown: impl Fn(usize) -> Option<&'s Shown>) -> Option<&'s Values> {
-    let index = plan.exhibits.iter().position(|exhibit| exhibit.id == id)?;
-    shown(index).map(|shown| &shown.outcome.values)
+    shown(*plan.places.get(id)?).map(|shown| &shown.outcome.values)
 }
 
 /// Calls `see` for every node, those in titles included.

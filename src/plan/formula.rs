@@ -58,14 +58,32 @@ impl Converter {
     /// The MathML of a formula; `display` if it stands on lines of its own.
     pub fn convert(&self, tex: &str, display: bool) -> Result<String, FormulaError> {
         let Some(memory) = &self.memory else { return self.anew(tex, display) };
+        self.remembered(memory, tex, display, Clone::clone)
+    }
+
+    /// What is wrong with a formula, if anything is.
+    pub fn error(&self, tex: &str, display: bool) -> Option<FormulaError> {
+        let Some(memory) = &self.memory else { return self.anew(tex, display).err() };
+        self.remembered(memory, tex, display, |known| known.as_ref().err().cloned())
+    }
+
+    /// What `take` takes of a formula that has been converted before, or is now.
+    fn remembered<T>(
+        &self,
+        memory: &Mutex<[Formulas; 2]>,
+        tex: &str,
+        display: bool,
+        take: impl FnOnce(&Result<String, FormulaError>) -> T,
+    ) -> T {
         let key = (display, tex.to_owned());
         let [now, before] = &mut *lock(memory);
         if let Some(known) = now.get(&key) {
-            return known.clone();
+            return take(known);
         }
         let converted = before.remove(&key).unwrap_or_else(|| self.anew(tex, display));
-        now.insert(key, converted.clone());
-        converted
+        let taken = take(&converted);
+        now.insert(key, converted);
+        taken
     }
 
     fn anew(&self, tex: &str, display: bool) -> Result<String, FormulaError> {

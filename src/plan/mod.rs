@@ -22,6 +22,7 @@ mod slug;
 pub mod terms;
 mod typed;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::diag::{Diagnostic, Place};
@@ -48,6 +49,8 @@ pub use terms::Terms;
 pub struct Plan {
     /// The exhibits in the book's order.
     pub exhibits: Vec<Exhibit>,
+    /// The places of the exhibits there, by their ids.
+    pub places: BTreeMap<String, usize>,
     /// The listings in the book's order.
     pub listings: Vec<Listing>,
     /// What every label names.
@@ -104,6 +107,7 @@ fn planned(course: &Course, whole: Option<&Labels>, workspace: &Workspace, memo:
     let bibliography = memo.bibliography(course, workspace, &mut diagnostics);
     let mut plan = Plan {
         exhibits: Vec::new(),
+        places: BTreeMap::new(),
         listings: Vec::new(),
         labels: Labels::default(),
         terms: Terms::default(),
@@ -116,6 +120,8 @@ fn planned(course: &Course, whole: Option<&Labels>, workspace: &Workspace, memo:
         let reading = Reading { chapter, index, seed: course.configuration.seed, workspace };
         memo.fences(&reading, &mut plan, &mut diagnostics);
     }
+    let places = plan.exhibits.iter().enumerate();
+    plan.places = places.map(|(at, exhibit)| (exhibit.id.clone(), at)).collect();
     plan.labels = labels::number(course, &plan, &mut diagnostics);
     if let Some(whole) = whole {
         plan.labels.numbered_as_in(whole);
@@ -140,6 +146,6 @@ struct Reading<'a> {
 impl Plan {
     /// The exhibit with this id.
     pub fn exhibit(&self, id: &str) -> Option<&Exhibit> {
-        self.exhibits.iter().find(|exhibit| exhibit.id == id)
+        self.exhibits.get(*self.places.get(id)?)
     }
 }

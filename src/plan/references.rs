@@ -1,5 +1,7 @@
 //! What refers to something: references, citations, values and formulas, each checked before anything runs.
 
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -32,8 +34,10 @@ pub fn address<'n>(name: &'n str, home: Option<&'n str>) -> Option<(&'n str, &'n
 /// Checks everything that refers to something, in chapters, captions and titles.
 pub(super) fn check(course: &Course, plan: &Plan, memo: &mut Memo, diagnostics: &mut Vec<Diagnostic>) {
     let converter = memo.converter(&course.configuration.macros, diagnostics);
+    let places = RefCell::default();
     for (index, chapter) in course.chapters.iter().enumerate() {
-        let mut checking = Checking { file: &chapter.file, index, course, plan, converter: &converter, diagnostics };
+        let file = &chapter.file;
+        let mut checking = Checking { file, index, course, plan, converter: &converter, places: &places, diagnostics };
         checking.picture(chapter.front.picture.as_ref());
         checking.nodes(&chapter.content.nodes);
         for exhibit in plan.exhibits.iter().filter(|exhibit| exhibit.chapter == index) {
@@ -46,11 +50,15 @@ pub(super) fn check(course: &Course, plan: &Plan, memo: &mut Memo, diagnostics: 
         }
     }
     let (file, index) = (Arc::from(CONFIGURATION), usize::MAX);
-    let mut checking = Checking { file: &file, index, course, plan, converter: &converter, diagnostics };
+    let mut checking =
+        Checking { file: &file, index, course, plan, converter: &converter, places: &places, diagnostics };
     for passage in &course.configuration.landing {
         checking.nodes(&passage.nodes);
     }
 }
+
+/// The ids on chapters' pages, in order and sorted, of those chapters that links have led to.
+type Places = RefCell<BTreeMap<usize, (Vec<String>, BTreeSet<String>)>>;
 
 struct Checking<'a> {
     file: &'a Arc<str>,
@@ -59,6 +67,7 @@ struct Checking<'a> {
     course: &'a Course,
     plan: &'a Plan,
     converter: &'a Converter,
+    places: &'a Places,
     diagnostics: &'a mut Vec<Diagnostic>,
 }
 
@@ -192,17 +201,23 @@ impl Checking<'_> {
         };
         // Raw HTML may have ids that the plan does not know; the finished book is checked again.
         let Some(chapter) = chapter.filter(|_| !self.course.configuration.allow_html) else { return };
-        let terms: Vec<String> = self.plan.terms.ids_in(chapter).collect();
-        let known = || self.plan.labels.ids_in(chapter).chain(terms.iter().map(String::as_str));
-        if !known().any(|known| known == id) && !self.plan.seen.is_wrong(id) {
-            let near = nearest(id, known()).map(|near| format!("did you mean `#{near}`?"));
+        let places = self.places;
+        let mut places = places.borrow_mut();
+        let (ids, known) = places.entry(chapter).or_insert_with(|| {
+            let labels = self.plan.labels.ids_in(chapter).map(str::to_owned);
+            let ids: Vec<String> = labels.chain(self.plan.terms.ids_in(chapter)).collect();
+            let known = ids.iter().cloned().collect();
+            (ids, known)
+        });
+        if !known.contains(id) && !self.plan.seen.is_wrong(id) {
+            let near = nearest(id, ids.iter().map(String::as_str)).map(|near| format!("did you mean `#{near}`?"));
             let file = &self.course.chapters[chapter].file;
             self.tell(Code::BrokenLink, format!("`{file}` has no place `#{id}`"), range, near);
         }
     }
 
     fn formula(&mut self, formula: &Formula, display: bool, range: &Range<usize>) {
-        if let Err(error) = self.converter.convert(&formula.tex, display) {
+        if let Some(error) = self.converter.error(&formula.tex, display) {
             let place = formula.map.range(error.range);
             let place = if place.is_empty() { range.clone() } else { place };
             self.tell(Code::Math, format!("the formula cannot be read: {}", error.message), &place, None);
