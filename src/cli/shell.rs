@@ -52,15 +52,15 @@ pub(super) fn manual(arguments: &Manual, options: &Options) -> Exit {
     whole.build();
     let page = match &arguments.command {
         None => whole,
-        Some(name) => match whole.find_subcommand(name) {
-            Some(command) => command.clone(),
-            None => {
+        Some(name) => {
+            let Some(command) = whole.find_subcommand(name) else {
                 let near = nearest(name, whole.get_subcommands().map(clap::Command::get_name));
                 let error = Diagnostic::error(Code::UnknownName, format!("there is no command `{name}`"))
                     .help_if(near.map(|near| format!("did you mean `{near}`?")));
                 return report::wrong(&error, Exit::Call, options);
-            }
-        },
+            };
+            command.clone()
+        }
     };
     let mut text = Vec::new();
     // Only writing to the text could fail, and it cannot.

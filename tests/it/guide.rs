@@ -1,5 +1,6 @@
 //! The guide for authors: it is built by the program itself, and every example in it is run.
 
+use std::fmt::Write as _;
 use std::path::Path;
 
 use rayon::prelude::*;
@@ -122,9 +123,9 @@ fn the_appendix_of_diagnostics_is_what_explain_says() {
     let mut codes = Code::ALL.to_vec();
     codes.sort_by_key(|code| code.id());
     for (prefix, title, id) in groups {
-        text += &format!("\n## {title} {{#sec-{id}}}\n");
+        let _ = write!(text, "\n## {title} {{#sec-{id}}}\n");
         for code in codes.iter().filter(|code| code.id().starts_with(prefix)) {
-            text += &format!("\n{}", explanation(*code).unwrap().for_chapters());
+            let _ = write!(text, "\n{}", explanation(*code).unwrap().for_chapters());
         }
     }
     let path = Path::new(PACKAGE).join("guide/chapters/diagnostics.md");

@@ -122,7 +122,9 @@ fn all_that_is_written_in_the_courses_satisfies_the_schemas() {
                 fences += 1;
                 hold(&found.text, &fence, &chapter.file);
             }
-            chapter.content.listings.iter().for_each(|found| hold(&found.text, &listing, &chapter.file));
+            for found in &chapter.content.listings {
+                hold(&found.text, &listing, &chapter.file);
+            }
             let text = planned.workspace.excerpt(&chapter.file).unwrap();
             hold(text.split("+++").nth(1).unwrap(), &front, &chapter.file);
         }
