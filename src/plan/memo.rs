@@ -50,7 +50,7 @@ impl Memo {
             chapter_stem(&source.path).is_none() && !source.path.starts_with(TEMPLATES) && !is_generated(&source.path)
         });
         let around: Vec<_> = others.map(|source| (Arc::clone(&source.path), Arc::clone(&source.text))).collect();
-        let blobs: Vec<_> = workspace.blobs.keys().cloned().collect();
+        let blobs: Vec<_> = workspace.data().cloned().collect();
         let same = |(old, new): (&(Arc<str>, Arc<str>), &(Arc<str>, Arc<str>))| {
             old.0 == new.0 && (Arc::ptr_eq(&old.1, &new.1) || old.1 == new.1)
         };
