@@ -102,8 +102,12 @@ pub struct Memory {
     pub parsed: parse::Memo,
     /// Their parts of the plan.
     pub planned: plan::Memo,
-    history: Option<((bool, bool), (History, Vec<Diagnostic>))>,
+    /// What git said, and what it was asked.
+    history: Option<((bool, bool), Said)>,
 }
+
+/// What git says, and what there is to tell of it.
+type Said = (History, Vec<Diagnostic>);
 
 /// Reads, parses and plans the course: all that can be known without running.
 pub fn check(request: &Request) -> Planned {
@@ -154,7 +158,7 @@ impl Memory {
     }
 
     /// What git says, if the course wants to know; it is asked once.
-    fn history(&mut self, request: &Request, course: &Course) -> (History, Vec<Diagnostic>) {
+    fn history(&mut self, request: &Request, course: &Course) -> Said {
         let repository = &course.configuration.site.repository;
         let wanted = (repository.asks_for_commit(), repository.last_change);
         if let Some((_, said)) = self.history.as_ref().filter(|(known, _)| *known == wanted) {

@@ -61,6 +61,14 @@ impl Workspace {
         self.texts.values().filter(|source| chapter_stem(&source.path).is_some())
     }
 
+    /// The paths of what is no text, but for what editors keep beside the files that they write: `01-one.md~`, `4913`.
+    pub fn data(&self) -> impl Iterator<Item = &Arc<str>> {
+        const KEPT: [&str; 3] = ["tmp", "bak", "swp"];
+        let plain = |ending: &str| !KEPT.contains(&ending) && ending.chars().all(char::is_alphanumeric);
+        let name = |path: &str| path.rsplit_once('/').map_or_else(|| path.to_owned(), |(_, name)| name.to_owned());
+        self.blobs.keys().filter(move |path| extension(&name(path)).is_some_and(plain))
+    }
+
     /// Takes from `old` each file that is still the same, so that what is unchanged can be told without being read again.
     pub fn share(&mut self, old: &Self) {
         for (path, source) in &mut self.texts {

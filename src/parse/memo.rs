@@ -27,7 +27,7 @@ impl Memo {
     /// Begins to parse the course of `workspace`.
     pub(super) fn begin(&mut self, workspace: &Workspace) {
         let configuration = workspace.text(CONFIGURATION).map(|source| Arc::clone(&source.text)).unwrap_or_default();
-        let around = Some((configuration, workspace.blobs.keys().cloned().collect()));
+        let around = Some((configuration, workspace.data().cloned().collect()));
         if self.around != around {
             self.known.clear();
             self.around = around;

@@ -14,13 +14,16 @@ use crate::workspace::{TEMPLATES, Workspace, chapter_stem};
 #[derive(Default)]
 pub struct Memo {
     /// The texts that are no chapters' and no templates: on them, all depends.
-    around: Vec<(Arc<str>, Arc<str>)>,
+    around: Vec<Text>,
     /// The files that are no texts.
     blobs: Vec<Arc<str>>,
     chapters: BTreeMap<Arc<str>, Known>,
     bibliography: Option<(Arc<Bibliography>, Vec<Diagnostic>)>,
     converter: Option<(Arc<Converter>, Vec<Diagnostic>)>,
 }
+
+/// A path and the text there.
+type Text = (Arc<str>, Arc<str>);
 
 /// What is known of a chapter.
 struct Known {
@@ -50,10 +53,8 @@ impl Memo {
             chapter_stem(&source.path).is_none() && !source.path.starts_with(TEMPLATES) && !is_generated(&source.path)
         });
         let around: Vec<_> = others.map(|source| (Arc::clone(&source.path), Arc::clone(&source.text))).collect();
-        let blobs: Vec<_> = workspace.blobs.keys().cloned().collect();
-        let same = |(old, new): (&(Arc<str>, Arc<str>), &(Arc<str>, Arc<str>))| {
-            old.0 == new.0 && (Arc::ptr_eq(&old.1, &new.1) || old.1 == new.1)
-        };
+        let blobs: Vec<_> = workspace.data().cloned().collect();
+        let same = |(old, new): (&Text, &Text)| old.0 == new.0 && (Arc::ptr_eq(&old.1, &new.1) || old.1 == new.1);
         if self.around.len() != around.len() || !self.around.iter().zip(&around).all(same) || self.blobs != blobs {
             *self = Self { around, blobs, ..Self::default() };
         }

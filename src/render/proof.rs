@@ -79,7 +79,7 @@ impl Proof {
         );
         let files = files(&parts, before);
         let looks = looks(&parts.workspace);
-        (Some(Self { looks, parts, own, templates, cited, citations, files }), told)
+        (Some(Self { parts, own, templates, cited, citations, files, looks }), told)
     }
 
     /// The parts that it was made of.

@@ -11,6 +11,7 @@ use super::guard::{self, Rules};
 use super::http::{self, Head, NoRequest, Reply};
 use super::page::OWN;
 use crate::render::{LOST, Looks, of_preview};
+use crate::workspace::extension;
 
 /// The most connections at a time.
 const MOST: usize = 128;
@@ -130,7 +131,7 @@ fn answer(head: &Head, desk: &Desk) -> Reply {
         return own(name, &head.target, desk);
     }
     let path = if path.is_empty() { "index.html".to_owned() } else { path };
-    if path.ends_with(".html") {
+    if extension(&path) == Some("html") {
         return page(&path, desk);
     }
     match desk.first().proof.and_then(|proof| proof.file(&path)) {

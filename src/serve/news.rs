@@ -1,5 +1,6 @@
 //! The news that open pages are told: what is wrong with the course, and what is still to come.
 
+use std::fmt::Write as _;
 use std::path::Path;
 
 use serde_json::{Value, json};
@@ -42,9 +43,9 @@ fn encoded(path: &str) -> String {
     for byte in path.replace(std::path::MAIN_SEPARATOR, "/").bytes() {
         match byte {
             b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' | b'/' | b':' => {
-                out.push(char::from(byte))
+                out.push(char::from(byte));
             }
-            byte => out.push_str(&format!("%{byte:02X}")),
+            byte => drop(write!(out, "%{byte:02X}")),
         }
     }
     out
