@@ -48,7 +48,7 @@ fn sizes() {
     let book = &composed.book.files;
     let pages = book.iter().filter(|(path, _)| workspace::extension(path) == Some("html"));
     let largest = pages.clone().max_by_key(|(_, bytes)| bytes.len()).expect("a book has pages");
-    let drawings = composed.shown.iter().filter_map(|shown| match &shown.drawing {
+    let drawings = composed.shown.iter().filter_map(|shown| match &*shown.drawing {
         Drawing::Figure(figure) => Some(figure.svg.len()),
         Drawing::Stepper(stepper) => Some(stepper.text().len()),
         Drawing::Table(_) | Drawing::Pictures(_) => None,
