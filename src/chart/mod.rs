@@ -89,16 +89,13 @@ impl Figure {
         let mut rest = self.svg.as_str();
         while let Some((head, tail)) = rest.split_once("=\"#") {
             let kept = head.strip_suffix(" fill").or_else(|| head.strip_suffix(" stroke"));
-            match kept.zip(tail.get(6..).and_then(|tail| tail.strip_prefix('"'))) {
-                Some((kept, tail)) => {
-                    out.push_str(kept);
-                    rest = tail;
-                }
-                None => {
-                    out.push_str(head);
-                    out.push_str("=\"#");
-                    rest = tail;
-                }
+            if let Some((kept, tail)) = kept.zip(tail.get(6..).and_then(|tail| tail.strip_prefix('"'))) {
+                out.push_str(kept);
+                rest = tail;
+            } else {
+                out.push_str(head);
+                out.push_str("=\"#");
+                rest = tail;
             }
         }
         out.push_str(rest);

@@ -116,7 +116,9 @@ impl Pen {
             self.out.push(command);
             self.last = Last::Letter;
         }
-        numbers.iter().for_each(|&number| self.number(number));
+        for &number in numbers {
+            self.number(number);
+        }
         self.implied = Some(command);
         self.at = to;
     }

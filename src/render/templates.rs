@@ -22,6 +22,28 @@ pub(super) fn embedded(path: &str) -> Option<&'static [u8]> {
 /// The folder of the book that holds style, script and fonts.
 pub(super) const ASSETS: &str = "assets";
 
+/// What every page has, as one file each: a file costs more than its bytes. Later rules win over earlier ones, and later scripts use earlier ones.
+const JOINED: [(&str, &[&str]); 2] = [
+    (
+        "style.css",
+        &[
+            "style.css",
+            "page.css",
+            "text.css",
+            "notes.css",
+            "exhibits.css",
+            "steppers.css",
+            "code.css",
+            "callouts.css",
+            "matter.css",
+            "tools.css",
+            "listings.css",
+            "search.css",
+        ],
+    ),
+    ("page.js", &["keys.js", "folds.js", "contents.js", "previews.js", "copy.js", "pictures.js", "search.js"]),
+];
+
 /// The templates ready to be filled, and the assets beside them.
 pub(super) struct Templates {
     tera: Tera,
@@ -52,6 +74,7 @@ impl Templates {
         let mut assets: BTreeMap<String, Vec<u8>> =
             files.into_iter().filter(|(path, _)| path.starts_with(&prefix) && extension(path) != Some("md")).collect();
         assets.entry(format!("{ASSETS}/style.css")).or_default().extend(palette::css().into_bytes());
+        join(&mut assets);
         Some(Self { tera, assets })
     }
 
@@ -72,6 +95,18 @@ impl Templates {
             diagnostics.push(broken(&error));
             String::new()
         })
+    }
+}
+
+/// Puts the parts of each joined file in its place.
+fn join(assets: &mut BTreeMap<String, Vec<u8>>) {
+    for (whole, parts) in JOINED {
+        let mut bytes = Vec::new();
+        for part in parts.iter().filter_map(|part| assets.remove(&format!("{ASSETS}/{part}"))) {
+            bytes.extend(part);
+            bytes.push(b'\n');
+        }
+        assets.insert(format!("{ASSETS}/{whole}"), bytes);
     }
 }
 

@@ -1,9 +1,12 @@
 //! What helps a reader along: notes beside the text, links to each place, previews, and the sheets and scripts that the pages load.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
 
 use workbook::workspace::extension;
 
+use crate::course::PACKAGE;
 use crate::pages::{Element, Page, book_of, pages};
 
 const CASES: [&str; 4] = ["everything", "folds", "terms", "appendices"];
@@ -177,12 +180,36 @@ fn pages_load_each_sheet_and_script_once_and_all_that_there_are() {
         loaded.extend(wanted);
     }
     assert_eq!(loaded, parts);
-    for path in parts.iter().filter(|path| !path.ends_with("-index.js")) {
-        let text = std::str::from_utf8(&book[path]).unwrap();
-        let begin = if extension(path) == Some("css") { "/* " } else { "// " };
+}
+
+#[test]
+fn every_sheet_and_script_says_what_it_is_and_is_short() {
+    let folder = Path::new(PACKAGE).join("templates/assets");
+    let files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
+    let parts = files.iter().filter(|path| ["css", "js"].map(Some).contains(&extension(&name(path))));
+    assert!(parts.clone().count() > 20);
+    for path in parts {
+        let text = fs::read_to_string(path).unwrap();
+        let path = name(path);
+        let begin = if extension(&path) == Some("css") { "/* " } else { "// " };
         assert!(text.starts_with(begin), "{path} does not begin with a sentence on what it is");
         assert!(text.lines().count() <= 400, "{path} has {} lines", text.lines().count());
     }
+}
+
+#[test]
+fn the_parts_that_every_page_has_are_joined_in_their_order() {
+    let book = book_of("everything");
+    let source = |name: &str| fs::read_to_string(Path::new(PACKAGE).join("templates/assets").join(name)).unwrap();
+    for (whole, parts) in
+        [("style.css", ["page.css", "text.css", "search.css"]), ("page.js", ["keys.js", "copy.js", "search.js"])]
+    {
+        let whole = std::str::from_utf8(&book[&format!("assets/{whole}")]).unwrap();
+        let places: Vec<usize> = parts.iter().map(|part| whole.find(source(part).trim_end()).unwrap()).collect();
+        assert!(places.is_sorted(), "{parts:?} stand at {places:?}");
+    }
+    assert!(!book.contains_key("assets/page.css") && !book.contains_key("assets/keys.js"));
 }
 
 #[test]
@@ -202,7 +229,10 @@ fn long_formulas_in_a_line_are_marked_so_that_they_scroll() {
     let html = page("everything", "prose.html");
     assert_eq!(html.matches("class=\"long-formula\"").count(), 1, "one formula of the page is long");
     assert!(between(&html, "<span class=\"long-formula\">", "</span>").starts_with("<math"));
-    assert!(html.contains("Inline <span class=\"held\"><math"), "a short one is held together with the comma behind it");
+    assert!(
+        html.contains("Inline <span class=\"held\"><math"),
+        "a short one is held together with the comma behind it"
+    );
     let held = between(&html, "Inline <span class=\"held\">", "</span>");
     assert!(held.starts_with("<math") && held.ends_with("</math>,"), "{held}");
 }

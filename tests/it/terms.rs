@@ -16,7 +16,10 @@ fn a_use_leads_to_the_one_definition() {
     assert!(uses.contains("<a class=\"term\" href=\"words.html#term-stratum\">stratum</a>"));
     // A key of its own, a formula, a digit, and a definition in a caption.
     assert!(words.contains("<dfn id=\"term-owen\"><strong>Owen’s scrambling</strong></dfn>"));
-    assert!(words.contains("<dfn id=\"term-t-m-d-net\"><span class=\"held\"><math>") && uses.contains("words.html#term-t-m-d-net"));
+    assert!(
+        words.contains("<dfn id=\"term-t-m-d-net\"><span class=\"held\"><math>")
+            && uses.contains("words.html#term-t-m-d-net")
+    );
     assert!(words.contains("<dfn id=\"term-2-opt\">2-opt</dfn>"));
     assert!(words.contains("<dfn id=\"term-the-caption-s-strata\">"));
     // The caption stands in the index of exhibits again, without the definition.
@@ -34,7 +37,10 @@ fn the_index_is_in_the_order_of_the_alphabet() {
     assert_eq!(heads[0], "2-opt");
     assert_eq!(heads[1..6], ["a fold", "cell", "discrepancy", "estimator", "jittered sampling"]);
     assert_eq!((heads[6], heads[7]), ("Owen’s scrambling", "stratum"));
-    assert!(heads[8].starts_with("<span class=\"held\"><math>") && heads[9..] == ["the caption’s strata", "variance", "Ähnliches"]);
+    assert!(
+        heads[8].starts_with("<span class=\"held\"><math>")
+            && heads[9..] == ["the caption’s strata", "variance", "Ähnliches"]
+    );
     let letters = index.split("<h2 id=\"").skip(1).map(|letter| letter.split('"').next().unwrap());
     let letters: Vec<&str> = letters.collect();
     let expected = ["digits", "a", "c", "d", "e", "j", "o", "s", "t", "v", "ä"];

@@ -1,6 +1,6 @@
 // The buttons that copy code copy all of it and nothing else, and say so.
 export const about = "buttons copy code";
-export const needs = "assets/copy.js";
+export const needs = "assets/page.js";
 
 export async function walk({ book, open, report }) {
   const file = book.with("<pre");

@@ -1,6 +1,6 @@
 // The keys of a page: arrows turn chapters only when nothing has the focus, `?` tells the keys, Esc closes.
 export const about = "arrows turn chapters, ? tells the keys, Esc closes";
-export const needs = "assets/keys.js";
+export const needs = "assets/page.js";
 
 export async function walk({ book, open, visit, report }) {
   const file = book.pages.find((one) => /class="previous"/.test(book.text(one)) && /class="next"/.test(book.text(one)));

@@ -1,6 +1,6 @@
 // What a reference leads to is shown on a card, for pointers and for the keyboard; the card takes no focus and can be closed.
 export const about = "previews by hover and by focus";
-export const needs = "assets/previews.js";
+export const needs = "assets/page.js";
 
 const CARD = ".preview:not([hidden])";
 

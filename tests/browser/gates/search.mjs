@@ -1,6 +1,6 @@
 // The search by keyboard alone: opened by /, asked, walked through, followed, closed.
 export const about = "keyboard walk of the search";
-export const needs = "assets/search.js";
+export const needs = "assets/page.js";
 
 export async function walk({ book, open, visit, report }) {
   const file = book.pages[0];
