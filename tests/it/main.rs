@@ -65,6 +65,8 @@ mod point_kinds;
 mod point_questions;
 #[cfg(feature = "publish")]
 mod points;
+#[cfg(feature = "publish")]
+mod preview;
 mod properties;
 #[cfg(feature = "publish")]
 mod reading;
