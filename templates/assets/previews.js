@@ -7,7 +7,7 @@
   var GRACE = 300;  // and before it closes, so that the pointer can move into it
   var GAP = 6;      // pixels between the link and the card
   var LINKS = "a.reference, a.term, a.citation";
-  var folder = document.currentScript.getAttribute("src").replace(/\.js$/, "/");
+  var folder = document.currentScript.getAttribute("src").replace(/[^/]*$/, "previews/");
   var pages = {};   // by page: the targets' HTML by id, or what waits for it
   var card = document.createElement("div");
   var open = null;  // the link whose card is shown

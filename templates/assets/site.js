@@ -31,7 +31,7 @@
 
   // Of a long page, what is far below the window is laid out piece by piece when the rest is there; all at once when the reader does anything.
   function postpone() {
-    var later = Array.prototype.slice.call(document.querySelectorAll(".text > *"), 30);
+    var later = Array.prototype.slice.call(document.querySelectorAll(".text > *"), 8);
     var opened = (performance.getEntriesByType("navigation")[0] || {}).type;
     if (later.length < 60 || location.hash || opened !== "navigate" || !window.requestIdleCallback) return;
     root.classList.add("settling");
