@@ -106,7 +106,7 @@ impl Proof {
         }
     }
 
-    /// The page at this path, with [`super::MARK`] around the blocks of a chapter, and what there is to tell of it.
+    /// The page at this path, with a mark around the blocks of a chapter, and what there is to tell of it.
     pub fn page(&self, path: &str) -> Option<(String, Vec<Diagnostic>)> {
         let mut told = Vec::new();
         let page = pages::page(&self.rendering(true), path, &mut told)?;
