@@ -30,6 +30,12 @@ export function launch(executablePath) {
   return chromium.launch({ executablePath, args });
 }
 
+/** Ends the browser and this program. A browser was seen that does not end when asked: after some seconds it is ended with the program. */
+export async function end(browser) {
+  await Promise.race([browser.close(), new Promise((late) => setTimeout(late, 5000))]);
+  process.exit();
+}
+
 /** The views by name: what `browser.newContext` takes. */
 export const VIEWS = {
   wide: { viewport: { width: 1280, height: 800 }, colorScheme: "light" },

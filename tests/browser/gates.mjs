@@ -137,7 +137,7 @@ function asked(name) {
 async function main() {
   const [only, pages] = [asked("--only"), asked("--pages")];
   const book = read(process.argv[2] ?? "book", pages);
-  const { find, launch } = await import("./browser.mjs");
+  const { find, launch, end } = await import("./browser.mjs");
   const program = find();
   let gates = await load(only);
   let without = 0;
@@ -150,12 +150,12 @@ async function main() {
   const browser = program ? await launch(program) : null;
   if (browser) console.log(`${program}, ${browser.version()}; ${book.pages.length} pages`);
   await run({ browser, book, gates, tell: console.log });
-  await browser?.close();
   const count = (test) => gates.filter(test).length;
   const failed = count((gate) => gate.failures.length);
   const skipped = without + count((gate) => gate.skipped && !gate.failures.length);
   console.log(`${gates.length - failed - (skipped - without)} passed, ${failed} failed, ${skipped} skipped`);
   if (failed || (skipped && process.env.CI)) process.exitCode = 1;
+  if (browser) await end(browser);
 }
 
 if (process.argv[1] && resolve(process.argv[1]) === fileURLToPath(import.meta.url)) await main();
