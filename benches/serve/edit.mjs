@@ -119,8 +119,8 @@ try {
   for (const part of ["chapters", "templates"]) cpSync(part, join(own, part), { recursive: true });
   try { cpSync(".workbook", join(own, ".workbook"), { recursive: true }); } catch { /* computed anew */ }
   if (only.some((part) => ["prose", "parameter", "memory"].includes(part))) {
-    const state = await prose(browser, own, "estimators.html", "02-estimators.md", option("opening", "The "), 100);
-    if (only.includes("parameter")) await parameter(state, option("id", "fig-error-bars"));
+    const state = await prose(browser, own, "estimators.html", "02-estimators.md", option("opening", "The distribution rises"), 100);
+    if (only.includes("parameter")) await parameter(state, option("id", "fig-estimator-steps"));
     if (only.includes("memory")) {
       const sizes = [];
       for (let edit = 0; edit <= rebuilds; edit += 1) {

@@ -16,7 +16,7 @@
   window.workbook = {
     store: store,
     each: function (does) { doings.push(does); does(); },
-    again: function () { doings.forEach(function (does) { does(); }); reach(); }
+    again: function () { doings.forEach(function (does) { does(); }); reach(document); }
   };
 
   // Styles know by it that buttons will work, before anything is painted.
