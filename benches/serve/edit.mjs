@@ -119,7 +119,7 @@ try {
   for (const part of ["chapters", "templates"]) cpSync(part, join(own, part), { recursive: true });
   try { cpSync(".workbook", join(own, ".workbook"), { recursive: true }); } catch { /* computed anew */ }
   if (only.some((part) => ["prose", "parameter", "memory"].includes(part))) {
-    const state = await prose(browser, own, "estimators.html", "02-estimators.md", option("opening", "The distribution rises"), 100);
+    const state = await prose(browser, own, "estimators.html", "02-estimators.md", option("opening", "After this chapter"), 100);
     if (only.includes("parameter")) await parameter(state, option("id", "fig-estimator-steps"));
     if (only.includes("memory")) {
       const sizes = [];
