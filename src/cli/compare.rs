@@ -45,7 +45,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
         return report::wrong(&error, Exit::System, options);
     }
     if options.format == Format::Json {
-        report::to_stdout(&format!("{}\n", serde_json::to_string_pretty(&json(&compared)).unwrap_or_default()));
+        report::to_stdout_as_json(&json(&compared));
     } else {
         report::to_stdout(&compared.summary());
     }

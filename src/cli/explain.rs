@@ -1,7 +1,5 @@
 //! `workbook explain`: what a diagnostic means, with a wrong and a right example.
 
-use std::fmt::Write as _;
-
 use clap::Args;
 use serde_json::{Value as Json, json};
 
@@ -18,7 +16,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
     let Some(written) = &arguments.code else {
-        report::to_stdout(&if options.format == Format::Json { listed_json() } else { listed() });
+        list(options);
         return Exit::Fine;
     };
     let id = normal(written);
@@ -37,7 +35,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
             "wrong": example(&found.wrong),
             "right": example(&found.right),
         });
-        report::to_stdout(&format!("{}\n", serde_json::to_string_pretty(&json).unwrap_or_default()));
+        report::to_stdout_as_json(&json);
     } else {
         report::to_stdout(&found.for_terminals());
     }
@@ -53,20 +51,16 @@ fn normal(written: &str) -> String {
     }
 }
 
-fn listed() -> String {
+/// Lists all codes with their meanings.
+fn list(options: &Options) {
     let mut codes = Code::ALL.to_vec();
     codes.sort_by_key(|code| code.id());
-    codes.iter().fold(String::new(), |mut text, code| {
-        let _ = writeln!(text, "{}  {}", code.id(), code.meaning());
-        text
-    })
-}
-
-fn listed_json() -> String {
-    let mut codes = Code::ALL.to_vec();
-    codes.sort_by_key(|code| code.id());
-    let codes: Vec<Json> = codes.iter().map(|code| json!({ "code": code.id(), "meaning": code.meaning() })).collect();
-    format!("{}\n", serde_json::to_string_pretty(&codes).unwrap_or_default())
+    if options.format == Format::Json {
+        let json = codes.iter().map(|code| json!({ "code": code.id(), "meaning": code.meaning() }));
+        return report::to_stdout_as_json(&json.collect::<Vec<_>>());
+    }
+    let lines: Vec<String> = codes.iter().map(|code| format!("{}  {}\n", code.id(), code.meaning())).collect();
+    report::to_stdout(&lines.concat());
 }
 
 fn example(example: &Example) -> Json {

@@ -174,7 +174,7 @@ fn exhibits(options: &Options) -> Exit {
 
 fn print(rows: &[[String; 2]], json: &serde_json::Value, options: &Options) {
     if options.format == Format::Json {
-        return report::to_stdout(&format!("{}\n", serde_json::to_string_pretty(json).unwrap_or_default()));
+        return report::to_stdout_as_json(json);
     }
     let width = rows.iter().map(|row| row[0].chars().count()).max().unwrap_or(0);
     let mut text = String::new();

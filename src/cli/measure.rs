@@ -87,7 +87,7 @@ fn tell(arguments: &Arguments, options: &Options, points: &Points, measured: &Me
         "extremal": corner,
         "seconds": seconds,
     });
-    report::to_stdout(&format!("{}\n", serde_json::to_string_pretty(&whole).unwrap_or_default()));
+    report::to_stdout_as_json(&whole);
 }
 
 /// The points of a text, a point a line; lines of nothing but blanks are passed over.

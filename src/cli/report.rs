@@ -3,6 +3,7 @@
 use std::io::{self, BufWriter, IsTerminal, Write, stderr, stdout};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use serde::Serialize;
 use serde_json::json;
 
 use super::{Exit, Format, Options};
@@ -78,6 +79,11 @@ pub(super) fn say(line: &str, options: &Options) {
 pub(super) fn to_stdout(text: &str) {
     // A reader that has gone away is no mistake of ours.
     let _ = stdout().lock().write_all(text.as_bytes());
+}
+
+/// Writes what was asked for as JSON, for people to read as well.
+pub(super) fn to_stdout_as_json(value: &impl Serialize) {
+    to_stdout(&format!("{}\n", serde_json::to_string_pretty(value).unwrap_or_default()));
 }
 
 fn to_stderr(text: &str) {

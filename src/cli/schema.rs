@@ -31,6 +31,6 @@ pub(super) fn run(arguments: &Arguments) -> Exit {
         Of::FrontMatter => schema::front_matter(),
         Of::Config => schema::configuration(),
     };
-    report::to_stdout(&format!("{}\n", serde_json::to_string_pretty(&schema).unwrap_or_default()));
+    report::to_stdout_as_json(&schema);
     Exit::Fine
 }

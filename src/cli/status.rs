@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &Arguments, options: &Options) -> Exit {
             .iter()
             .map(|line| json!({ "id": line.id, "place": line.place, "fresh": line.stale.is_none(), "why": line.stale }))
             .collect();
-        report::to_stdout(&format!("{}\n", serde_json::to_string_pretty(&json).unwrap_or_default()));
+        report::to_stdout_as_json(&json);
         return Exit::of(&planned.diagnostics);
     }
     report::diagnostics(&planned.diagnostics, &planned.workspace, options);
