@@ -1,4 +1,5 @@
 // The browser that is there, and the views in which pages are looked at. None is ever downloaded.
+import { fork } from "node:child_process";
 import { accessSync, constants } from "node:fs";
 import { chromium } from "playwright-core";
 
@@ -30,10 +31,26 @@ export function launch(executablePath) {
   return chromium.launch({ executablePath, args });
 }
 
-/** Ends the browser and this program. A browser was seen that does not end when asked: after some seconds it is ended with the program. */
-export async function end(browser) {
-  await Promise.race([browser.close(), new Promise((late) => setTimeout(late, 5000))]);
-  process.exit();
+/** Closes the browser. One was seen that does not end when asked: after some seconds it is left, and ends with its pipes. */
+export function close(browser) {
+  return Promise.race([browser.close(), new Promise((late) => setTimeout(late, 5000))]);
+}
+
+/**
+ * Runs `main`, which gives the status of the program, in a process of its own, and ends that by force once the status is known: Node.js now and then
+ * waits for ever for its own threads when it exits (https://github.com/nodejs/node/issues/54918), which hung a whole run after its last test had passed.
+ */
+export async function supervised(main) {
+  if (process.send) {
+    process.send(await main().catch((error) => (console.error(error), 1)));
+    return;
+  }
+  const child = fork(process.argv[1], process.argv.slice(2));
+  process.exitCode = await new Promise((told) => {
+    child.once("message", told);
+    child.once("exit", (status) => told(status || 1));
+  });
+  child.kill("SIGKILL");
 }
 
 /** The views by name: what `browser.newContext` takes. */

@@ -137,7 +137,7 @@ function asked(name) {
 async function main() {
   const [only, pages] = [asked("--only"), asked("--pages")];
   const book = read(process.argv[2] ?? "book", pages);
-  const { find, launch, end } = await import("./browser.mjs");
+  const { close, find, launch } = await import("./browser.mjs");
   const program = find();
   let gates = await load(only);
   let without = 0;
@@ -154,8 +154,11 @@ async function main() {
   const failed = count((gate) => gate.failures.length);
   const skipped = without + count((gate) => gate.skipped && !gate.failures.length);
   console.log(`${gates.length - failed - (skipped - without)} passed, ${failed} failed, ${skipped} skipped`);
-  if (failed || (skipped && process.env.CI)) process.exitCode = 1;
-  if (browser) await end(browser);
+  if (browser) await close(browser);
+  return failed || (skipped && process.env.CI) ? 1 : 0;
 }
 
-if (process.argv[1] && resolve(process.argv[1]) === fileURLToPath(import.meta.url)) await main();
+if (process.argv[1] && resolve(process.argv[1]) === fileURLToPath(import.meta.url)) {
+  const { supervised } = await import("./browser.mjs");
+  await supervised(main);
+}

@@ -7,7 +7,7 @@ import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:f
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { each, load, read, run } from "./gates.mjs";
-import { end, find, launch } from "./browser.mjs";
+import { close, find, launch, supervised } from "./browser.mjs";
 
 const inText = (html) => (page) => page.replace("</article>", `${html}</article>`);
 const inHead = (html) => (page) => page.replace("</head>", `${html}</head>`);
@@ -75,8 +75,7 @@ async function main() {
   if (!program) {
     console.log("SKIPPED: there is no Chromium");
     console.log("0 passed, 0 failed, 1 skipped");
-    if (process.env.CI) process.exitCode = 1;
-    return;
+    return process.env.CI ? 1 : 0;
   }
   const browser = await launch(program);
   const scratch = mkdtempSync(join(tmpdir(), "gates-"));
@@ -106,8 +105,8 @@ async function main() {
   });
   rmSync(scratch, { recursive: true });
   console.log(`${counts.passed} passed, ${counts.failed} failed, ${counts.skipped} skipped`);
-  if (counts.failed || (counts.skipped && process.env.CI)) process.exitCode = 1;
-  await end(browser);
+  await close(browser);
+  return counts.failed || (counts.skipped && process.env.CI) ? 1 : 0;
 }
 
-await main();
+await supervised(main);
