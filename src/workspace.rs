@@ -145,7 +145,7 @@ pub fn read_points(path: &Path) -> Result<Source, Diagnostic> {
     Ok(Source { path: name.into(), text })
 }
 
-/// Reads the files below `folder` in the order of their names; hidden files and links that leave the course are passed over.
+/// Reads the files below `folder` in the order of their names. Hidden files are passed over, and so, with a warning, are links that leave the course.
 fn read_folder(root: &Path, folder: &str, workspace: &mut Workspace, diagnostics: &mut Vec<Diagnostic>) {
     let entries = match sorted_entries(&root.join(folder)) {
         Ok(entries) => entries,
@@ -153,17 +153,27 @@ fn read_folder(root: &Path, folder: &str, workspace: &mut Workspace, diagnostics
     };
     for (name, path) in entries {
         let relative = format!("{folder}/{name}");
-        if name.starts_with('.') || leaves(root, &path) {
+        if name.starts_with('.') {
             continue;
         }
-        if path.is_dir() {
+        if path.is_symlink() && !stays(root, &path) {
+            diagnostics.push(left_out(&relative));
+        } else if path.is_dir() {
             read_folder(root, &relative, workspace, diagnostics);
         } else {
-            match fs::read(&path) {
+            match read_file(&path) {
                 Ok(bytes) => place(relative, bytes, workspace, diagnostics),
                 Err(error) => diagnostics.push(unreadable(&relative, &error)),
             }
         }
+    }
+}
+
+/// The bytes of a file. A pipe or a device is none: it may never end.
+fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    match fs::metadata(path) {
+        Ok(about) if !about.is_file() => Err(io::Error::new(io::ErrorKind::InvalidInput, "it is no ordinary file")),
+        _ => fs::read(path),
     }
 }
 
@@ -180,13 +190,13 @@ fn sorted_entries(folder: &Path) -> io::Result<Vec<(String, PathBuf)>> {
     Ok(entries)
 }
 
-/// Whether a symbolic link leads out of the course.
-fn leaves(root: &Path, path: &Path) -> bool {
-    path.is_symlink()
-        && match (root.canonicalize(), path.canonicalize()) {
-            (Ok(root), Ok(target)) => !target.starts_with(root),
-            _ => true,
-        }
+/// Whether a symbolic link leads to something in the course, and not to a folder that holds the link itself.
+fn stays(root: &Path, link: &Path) -> bool {
+    let folder = link.parent().unwrap_or(root);
+    match (root.canonicalize(), folder.canonicalize(), link.canonicalize()) {
+        (Ok(root), Ok(folder), Ok(target)) => target.starts_with(root) && !folder.starts_with(target),
+        _ => false,
+    }
 }
 
 /// Puts one file where it belongs: texts that the tool reads must be UTF-8, the rest stays bytes.
@@ -228,6 +238,12 @@ fn not_utf8(path: &str, error: &std::string::FromUtf8Error) -> Diagnostic {
 fn unreadable(path: &str, error: &io::Error) -> Diagnostic {
     Diagnostic::error(Code::Unreadable, format!("`{path}` cannot be read: {error}"))
         .help("check the file's permissions and the disk")
+}
+
+fn left_out(path: &str) -> Diagnostic {
+    let message = format!("`{path}` is left out: it is a link that leads out of the course, to itself, or nowhere");
+    Diagnostic::warning(Code::Unreadable, message)
+        .help("put the file itself there, or a link to another file of the course")
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::estimation::{Density, Rate, check_density, mean_with_error, rate, root_mean_square};
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::{About, Paper};
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::integrands::Function;
@@ -133,7 +133,7 @@ impl Kind for BiasKind {
                 .par_iter()
                 .map(|&n| {
                     let run = |replicate| estimates(p, &law, n, cap, seed.named(ABOUT.key).at(n as u64).at(replicate));
-                    (0..p.replicates as u64).into_par_iter().map(run).collect()
+                    (0..p.replicates as u64).into_par_iter().map(piece(run)).collect()
                 })
                 .collect();
         let curves = p.estimators.iter().zip(limits).enumerate().map(|(index, (estimator, limit))| {

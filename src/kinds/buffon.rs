@@ -8,7 +8,7 @@
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::{About, Paper};
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::parameters::{Counts, choices, parameters};
@@ -140,7 +140,7 @@ impl Kind for BuffonKind {
         let count = |n: usize| (n as u64, crossings(p.length, n as u64, seed.named("table").at(n as u64)));
         let rows = p.n.iter().map(count).collect();
         let stop = |trial: usize| stopped(p.looks, seed.named("lucky").at(trial as u64));
-        let stopped: Vec<Option<usize>> = (0..p.trials).into_par_iter().map(stop).collect();
+        let stopped: Vec<Option<usize>> = (0..p.trials).into_par_iter().map(piece(stop)).collect();
         let exact = stopping(p.looks);
         let by = |look: usize| stopped.iter().flatten().filter(|at| **at <= look).count() as u64;
         Ok(Data { needles, rows, stops: (1..=p.looks).map(by).zip(exact).collect() })
@@ -238,7 +238,7 @@ fn crossings(length: f64, n: u64, stream: Seed) -> u64 {
         let mut random = stream.at(block).generator();
         (0..BLOCK.min(n - block * BLOCK)).filter(|_| crosses(length, &mut random)).count() as u64
     };
-    (0..n.div_ceil(BLOCK)).into_par_iter().map(block).sum()
+    (0..n.div_ceil(BLOCK)).into_par_iter().map(piece(block)).sum()
 }
 
 /// At which look one of Lazzarini's followers stops, if at any.

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::estimation::{Study, check_dimensions, dimensions, reference};
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::{About, Paper};
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
@@ -187,7 +187,7 @@ fn row(p: &Coverage, study: &Study<'_>, method: &Method, exact: f64) -> Result<R
         let interval = inference::t_interval(&moments, p.confidence).ok_or_else(none)?;
         Ok((interval.low, interval.high, moments.variance() / p.randomisations as f64))
     };
-    let trials: Vec<Result<_, Failure>> = (0..p.repetitions).into_par_iter().map(trial).collect();
+    let trials: Vec<Result<_, Failure>> = (0..p.repetitions).into_par_iter().map(piece(trial)).collect();
     let trials = trials.into_iter().collect::<Result<Vec<_>, _>>()?;
     let means: Vec<f64> = trials.iter().map(|trial| f64::midpoint(trial.0, trial.1)).collect();
     let variance = moments::variance(&means);

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::estimation::{Study, check_dimensions, check_ends, dimensions, reference};
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
@@ -149,7 +149,7 @@ impl Kind for EstimateTableKind {
             Ok(Row { n: n as u64, estimate, standard_error: sigma.map(|sigma| sigma / (n as f64).sqrt()) })
         };
         // From the largest n down: the longest rows start first.
-        let rows: Vec<Result<Row, Failure>> = p.n.as_slice().par_iter().rev().with_max_len(1).map(row).collect();
+        let rows: Vec<Result<Row, Failure>> = p.n.as_slice().par_iter().rev().with_max_len(1).map(piece(row)).collect();
         let rows = rows.into_iter().rev().collect::<Result<_, _>>()?;
         Ok(Data { exact: exact.0, exact_error: exact.1, variance, rows })
     }

@@ -67,7 +67,7 @@ mod worst_box;
 mod xor_steps;
 
 pub use experiment::{
-    AnyKind, Entries, Experiment, Failure, Frame, Kind, Measured, Outcome, Problems, Rest, Value, Values,
+    AnyKind, Entries, Experiment, Failure, Frame, Halt, Kind, Measured, Outcome, Problems, Rest, Value, Values, piece,
 };
 pub use measuring::quantity;
 

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::estimation::replicates_of;
-use super::experiment::Failure;
+use super::experiment::{Failure, piece};
 use crate::metrics::Unmeasured;
 use crate::points::Points;
 use crate::samplers::Method;
@@ -43,7 +43,7 @@ impl Placing {
         let run = |&(_, _, method, n, replicate): &(usize, usize, &Method, usize, usize)| {
             measure(method, &self.points(method, n, replicate)?)
         };
-        let results: Vec<Result<T, Failure>> = tasks.par_iter().map(run).collect();
+        let results: Vec<Result<T, Failure>> = tasks.par_iter().map(piece(run)).collect();
         let mut all: Vec<Vec<Vec<T>>> = methods.iter().map(|_| counts.iter().map(|_| Vec::new()).collect()).collect();
         for ((i, j, ..), result) in tasks.into_iter().zip(results) {
             let value = result?;

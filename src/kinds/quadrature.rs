@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::estimation::{Rate, Study, rate, reference, root_mean_square, undefined};
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::{About, Paper};
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
@@ -178,7 +178,9 @@ fn errors(p: &Quadrature, d: usize, seed: Seed) -> Result<Errors, Failure> {
     let sides = sides(d, p.most);
     let rule: Vec<Result<(u64, f64), Failure>> = sides
         .par_iter()
-        .map(|&side| Ok((side.pow(d as u32) as u64, (midpoint(&p.integrand, d, side)? - exact.value).abs())))
+        .map(piece(|&side: &usize| {
+            Ok((side.pow(d as u32) as u64, (midpoint(&p.integrand, d, side)? - exact.value).abs()))
+        }))
         .collect();
     let mut rule = rule.into_iter().collect::<Result<Vec<_>, _>>()?;
     rule.retain(|mark| mark.1 > floor);

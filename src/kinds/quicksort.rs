@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::estimation::{Study, mean_with_error, reference};
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::{About, Paper};
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
@@ -117,7 +117,7 @@ impl Kind for QuicksortKind {
             let comparisons = quicksort(&mut keys, &mut random);
             (comparisons, keys.iter().enumerate().all(|(place, &key)| place == key as usize))
         };
-        let sorts: Vec<(u64, bool)> = (0..p.runs as u64).into_par_iter().map(sort).collect();
+        let sorts: Vec<(u64, bool)> = (0..p.runs as u64).into_par_iter().map(piece(sort)).collect();
         let comparisons: Vec<f64> = sorts.iter().map(|(comparisons, _)| *comparisons as f64).collect();
         let d = p.integrand.dimensions().unwrap_or(1);
         let exact = reference(&p.integrand, d)?.value;

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::estimation::{Study, check_dimensions, dimensions, reference, replicates_of};
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
@@ -121,7 +121,7 @@ impl Kind for RunningMeanKind {
         let runs = |method: &Method| {
             let means: Vec<Result<Vec<f64>, Failure>> = (0..replicates_of(method, p.runs))
                 .into_par_iter()
-                .map(|run| means(&study, method, p.n, run, &marks))
+                .map(piece(|run| means(&study, method, p.n, run, &marks)))
                 .collect();
             let means = means.into_iter().collect::<Result<_, _>>()?;
             Ok(Runs { method: method.name(), title: method.title(), means })

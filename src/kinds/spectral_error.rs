@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use super::estimation::{check_dimensions, mean_with_error, replicates_of, undefined};
 use super::placing::{Placing, unmeasured};
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::{About, Paper};
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::integrands::Function;
@@ -251,13 +251,13 @@ fn curve(p: &SpectralError, method: &Method, placing: &Placing, energies: &Energ
         let error = estimate(p, &points(replicate)?, placing, replicate) - energies.integral;
         Ok(error * error)
     };
-    let squares: Vec<Result<f64, Failure>> = (0..p.replicates).into_par_iter().map(error).collect();
+    let squares: Vec<Result<f64, Failure>> = (0..p.replicates).into_par_iter().map(piece(error)).collect();
     let (measured, error) = mean_with_error(&squares.into_iter().collect::<Result<Vec<_>, _>>()?);
     let overlap = |replicate: usize| {
         let powers = power(&points(replicate)?, p.reach).map_err(|error| unmeasured(method, &error))?;
         Ok(energies.rings(|u, v| powers.at(u, v) / p.n as f64))
     };
-    let parts: Vec<Result<Vec<f64>, Failure>> = (0..sets).into_par_iter().map(overlap).collect();
+    let parts: Vec<Result<Vec<f64>, Failure>> = (0..sets).into_par_iter().map(piece(overlap)).collect();
     let parts = parts.into_iter().collect::<Result<Vec<_>, _>>()?;
     let totals: Vec<f64> = parts.iter().map(|rings| moments::sum(rings.iter().copied())).collect();
     let (predicted, spread) = mean_with_error(&totals);

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::estimation::{mean_with_error, replicates_of};
 use super::placing::{Placing, unmeasured};
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::{About, Paper};
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
@@ -234,7 +234,7 @@ fn curve(p: &Spectrum, method: &Method, placing: &Placing) -> Result<Curve, Fail
         Ok((powers, means))
     };
     let replicates = replicates_of(method, p.replicates);
-    let all: Vec<Result<_, Failure>> = (0..replicates).into_par_iter().map(one).collect();
+    let all: Vec<Result<_, Failure>> = (0..replicates).into_par_iter().map(piece(one)).collect();
     let (spectra, means): (Vec<Powers>, Vec<Vec<(usize, f64)>>) =
         all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
     let averaged = Powers::average(&spectra).ok_or_else(|| Failure::of("replicates", "there is no spectrum"))?;

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::estimation::{
     Rate, Study, check_dimensions, dimensions, mean_with_error, rate, reference, root_mean_square,
 };
-use super::{Failure, Frame, Kind, Problems, Values};
+use super::{Failure, Frame, Kind, Problems, Values, piece};
 use crate::catalogue::About;
 use crate::chart::{ChartError, Drawing, Sheet};
 use crate::diag::Code;
@@ -193,7 +193,7 @@ fn chi_square(p: &WorkedPath, study: &Study<'_>, method: &Method) -> Result<f64,
         study.points(method, n, study.stream(method, n, replicate))?.axis(0).for_each(|u| counts[slab(u, p.bins)] += 1);
         Ok(counts)
     };
-    let counts: Vec<Result<Vec<u64>, Failure>> = (0..p.replicates).into_par_iter().map(count).collect();
+    let counts: Vec<Result<Vec<u64>, Failure>> = (0..p.replicates).into_par_iter().map(piece(count)).collect();
     let mut total = vec![0; p.bins];
     for counts in counts {
         total.iter_mut().zip(counts?).for_each(|(total, count)| *total += count);

@@ -31,7 +31,8 @@ for (const colorScheme of ["light", "dark"]) {
       const height = await page.evaluate(() => document.documentElement.scrollHeight);
       for (let y = 0, slice = 0; y < height; y += SLICE, slice += 1) {
         const name = `${file.replace(".html", "")}-${width}-${colorScheme}-${String(slice).padStart(2, "0")}.png`;
-        await page.screenshot({ path: join(folder, name), fullPage: true, clip: { x: 0, y, width, height: Math.min(SLICE, height - y) } });
+        // A long page takes its time on a busy machine.
+        await page.screenshot({ timeout: 120_000, path: join(folder, name), fullPage: true, clip: { x: 0, y, width, height: Math.min(SLICE, height - y) } });
         made.push(name);
       }
       await page.close();

@@ -45,6 +45,8 @@ mod gallery;
 mod golden;
 #[cfg(feature = "publish")]
 mod guide;
+#[cfg(all(unix, feature = "publish"))]
+mod hardship;
 #[cfg(feature = "publish")]
 mod kinds;
 #[cfg(feature = "publish")]

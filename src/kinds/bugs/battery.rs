@@ -10,8 +10,8 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::{Bug, Run, Source, points};
-use crate::kinds::Failure;
 use crate::kinds::estimation::{Rate, mean_with_error, rate, root_mean_square};
+use crate::kinds::{Failure, piece};
 use crate::metrics::correlation::pearson;
 use crate::points::{Points, slab};
 use crate::samplers::Method;
@@ -215,7 +215,7 @@ fn runs(bug: &Bug, numbers: Numbers, method: &Method, seed: Seed) -> Result<[Run
             let latin = is_latin(source.points().take(n), bug.dimensions, n);
             Ok(([(bug.right)(&source), (bug.planted)(&source)], latin))
         };
-        let pixels: Vec<Result<([Run; 2], bool), Failure>> = (0..RUNS).into_par_iter().map(run).collect();
+        let pixels: Vec<Result<([Run; 2], bool), Failure>> = (0..RUNS).into_par_iter().map(piece(run)).collect();
         let pixels = pixels.into_iter().collect::<Result<Vec<_>, _>>()?;
         let stratified = pixels.iter().all(|(_, latin)| *latin);
         let (right, planted): (Vec<Run>, Vec<Run>) =

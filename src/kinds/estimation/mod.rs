@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use crate::diag::Code;
 use crate::integrands::{Function, Reference};
-use crate::kinds::experiment::{Failure, Problems};
+use crate::kinds::experiment::{Failure, Problems, piece};
 use crate::points::Points;
 use crate::samplers::Method;
 use crate::seed::Seed;
@@ -76,7 +76,8 @@ impl Study<'_> {
             };
             replicates.clone().map(one).collect()
         };
-        let results: Vec<_> = tasks.par_iter().map(|(_, _, method, n, runs)| batch(method, *n, runs)).collect();
+        let run = |task: &(_, _, &Method, usize, Range<usize>)| batch(task.2, task.3, &task.4);
+        let results: Vec<_> = tasks.par_iter().map(piece(run)).collect();
         let mut all = vec![vec![vec![Vec::new(); counts.len()]; methods.len()]; integrands.len()];
         for ((i, j, ..), result) in tasks.into_iter().zip(results) {
             for run in result? {

@@ -1,6 +1,7 @@
 //! The life of an experiment: a kind reads its parameters into an experiment, which runs into an outcome, which is drawn.
 
 mod frame;
+mod halt;
 mod problems;
 mod rest;
 mod values;
@@ -11,6 +12,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use frame::{Entries, Frame};
+pub use halt::{Halt, piece};
 pub use problems::Problems;
 pub use rest::Rest;
 pub use values::{Measured, Value, Values};

@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use rayon::prelude::*;
 
-use super::experiment::Failure;
+use super::experiment::{Failure, piece};
 use crate::catalogue::About;
 use crate::raster::{Png, Raster};
 use crate::samplers::Method;
@@ -71,7 +71,7 @@ pub fn reference(scene: &'static dyn Scene, size: [usize; 2], samples: usize) ->
     // A row is computed by whoever needs it first, on one thread: who waits for it waits a moment, and never for itself.
     let rows =
         |row: usize| shared.rows[row].get_or_init(|| Ok([shared.halves[0].row(row)?, shared.halves[1].row(row)?]));
-    let rows: Result<Vec<_>, _> = (0..size[1]).into_par_iter().map(|row| rows(row).as_ref()).collect();
+    let rows: Result<Vec<_>, _> = (0..size[1]).into_par_iter().map(piece(|row| rows(row).as_ref())).collect();
     let rows = rows.map_err(|unfit| Failure::of("reference", unfit.to_string()))?;
     let flat = |half: usize| -> Vec<Colour> { rows.iter().flat_map(|row| row[half].iter().copied()).collect() };
     let [first, second] = [flat(0), flat(1)].map(|pixels| Image { width: size[0], height: size[1], pixels });
@@ -107,7 +107,8 @@ fn halves(scene: &'static dyn Scene, size: [usize; 2], samples: usize) -> Result
 pub fn images(renderings: &[Rendering], size: [usize; 2]) -> Result<Vec<Image>, Failure> {
     let tasks: Vec<(usize, usize)> =
         (0..renderings.len()).flat_map(|k| (0..size[1]).map(move |row| (k, row))).collect();
-    let rows: Result<Vec<_>, _> = tasks.par_iter().map(|&(k, row)| renderings[k].row(row)).collect();
+    let rows: Result<Vec<_>, _> =
+        tasks.par_iter().map(piece(|&(k, row): &(usize, usize)| renderings[k].row(row))).collect();
     let rows = rows.map_err(|unfit| Failure::of("samplers", unfit.to_string()))?;
     let image = |rows: &[Vec<Colour>]| Image { width: size[0], height: size[1], pixels: rows.concat() };
     Ok(rows.chunks(size[1].max(1)).map(image).collect())
