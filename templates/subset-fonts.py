@@ -1,6 +1,7 @@
 """Makes the font files in assets/fonts from their packages; the README there says how to run it."""
 
 import sys
+from copy import deepcopy
 from io import BytesIO
 from pathlib import Path
 
@@ -33,6 +34,8 @@ TEXT_FEATURES = ["kern", "liga", "ccmp", "locl", "mark", "mkmk", "lnum", "pnum",
 INDICES = {0x2090: "a", 0x2091: "e", 0x2092: "o", 0x2093: "x", 0x2096: "k", 0x2097: "l", 0x2098: "m", 0x2099: "n", 0x209A: "p", 0x209B: "s",
            0x209C: "t", 0x1D62: "i", 0x1D63: "r", 0x1D64: "u", 0x1D65: "v", 0x2C7C: "j"}
 INDEX_SCALE, INDEX_DROP = 0.64, 170
+# How high the lowest radical sign is, of the one that the font has: as a capital and what is above it.
+LOW_SIGN = 0.85
 PRIMES = [0x2032, 0x2033, 0x2034, 0x2035, 0x2036, 0x2037, 0x2057]
 
 
@@ -47,10 +50,20 @@ def redraw(font, name, matrix):
     font["hmtx"][name] = (round(advance * matrix[0]), round(bearing * matrix[0]))
 
 
+def add(font, name, code, glyph, metrics):
+    """Adds a glyph, behind all others, and maps a character to it."""
+    font.setGlyphOrder([*font.getGlyphOrder(), name])
+    font["glyf"].glyphs[name] = glyph
+    font["glyf"].setGlyphOrder(font.getGlyphOrder())
+    font["hmtx"][name] = metrics
+    for table in font["cmap"].tables:
+        if table.isUnicode():
+            table.cmap[code] = name
+
+
 def draw_indices(font):
     """Adds the letters of indices: italic letters of formulas, smaller and lower."""
     glyphs, cmap = font.getGlyphSet(), font.getBestCmap()
-    drawn = {}
     for code, letter in INDICES.items():
         source = cmap[0x1D44E + ord(letter) - ord("a")]
         outline = DecomposingRecordingPen(glyphs)
@@ -58,36 +71,48 @@ def draw_indices(font):
         pen = TTGlyphPen(None)
         outline.replay(TransformPen(pen, (INDEX_SCALE, 0, 0, INDEX_SCALE, 0, -INDEX_DROP)))
         advance, bearing = font["hmtx"][source]
-        drawn[f"uni{code:04X}"] = (code, pen.glyph(), (round(advance * INDEX_SCALE), round(bearing * INDEX_SCALE)))
-    font.setGlyphOrder(font.getGlyphOrder() + list(drawn))
-    for name, (code, glyph, metrics) in drawn.items():
-        font["glyf"].glyphs[name] = glyph
-        font["hmtx"][name] = metrics
-        for table in font["cmap"].tables:
-            if table.isUnicode():
-                table.cmap[code] = name
-    font["glyf"].setGlyphOrder(font.getGlyphOrder())
+        add(font, f"uni{code:04X}", code, pen.glyph(), (round(advance * INDEX_SCALE), round(bearing * INDEX_SCALE)))
 
 
 def fit_browsers(font):
     """Mends what browsers make of the font where TeX would do better."""
     draw_indices(font)
     constants, cmap = font["MATH"].table.MathConstants, font.getBestCmap()
-    # Superscripts of brackets stand as high as those of letters.
+    # Superscripts of brackets stand as high as those of letters, and subscripts of letters that descend as low as those of others.
     constants.SuperscriptBaselineDropMax.Value = 386
+    constants.SubscriptBaselineDropMin.Value = -30
+    # Fractions within lines are close about their bar, since the lines are to keep their distance.
+    constants.FractionNumeratorShiftUp.Value, constants.FractionDenominatorShiftDown.Value = 405, 355
     # Primes are set as superscripts, and script forms are not chosen: they shall come out at their proper size and height.
     scale = 100 / constants.ScriptPercentScaleDown
     for code in PRIMES:
         redraw(font, cmap[code], (scale, 0, 0, scale, 0, -constants.SuperscriptShiftUp.Value * scale))
-    # Every root is given the room of the widest radical sign, so the signs shall be nearly of one width.
-    variants = font["MATH"].table.MathVariants
-    sign = cmap[0x221A]
-    construction = variants.VertGlyphConstruction[variants.VertGlyphCoverage.glyphs.index(sign)]
-    larger = [record.VariantGlyph for record in construction.MathGlyphVariantRecord]
-    larger += [record.glyph for record in construction.GlyphAssembly.PartRecords]
+    draw_roots(font)
+
+
+def draw_roots(font):
+    """Radical signs for browsers: nearly of one width, and one that is lower than the lowest."""
+    cmap, constants, variants = font.getBestCmap(), font["MATH"].table.MathConstants, font["MATH"].table.MathVariants
+    sign, low = cmap[0x221A], "radical.low"
+    signs = dict(zip(variants.VertGlyphCoverage.glyphs, variants.VertGlyphConstruction))
+    construction = signs.pop(sign)
+    # Every root is given the room of the widest radical sign.
+    larger = {record.VariantGlyph for record in construction.MathGlyphVariantRecord} | {part.glyph for part in construction.GlyphAssembly.PartRecords}
     for name in sorted({sign, *larger}):
         width = 840 if name == sign else 900
         redraw(font, name, (width / font["hmtx"][name][0], 0, 0, 1, 0, 0))
+    # What a sign is too high TeX shares between the gap and the foot; browsers let all of it hang below the line.
+    constants.RadicalVerticalGap.Value = 130
+    outline, pen = DecomposingRecordingPen(font.getGlyphSet()), TTGlyphPen(None)
+    font.getGlyphSet()[sign].draw(outline)
+    outline.replay(TransformPen(pen, (1, 0, 0, LOW_SIGN, 0, 0)))
+    add(font, low, 0x221A, pen.glyph(), font["hmtx"][sign])
+    lowest = deepcopy(construction.MathGlyphVariantRecord[0])
+    lowest.VariantGlyph, lowest.AdvanceMeasurement = low, round(LOW_SIGN * lowest.AdvanceMeasurement)
+    construction.MathGlyphVariantRecord.insert(0, lowest)
+    # In the order of the glyphs, of which this is the last.
+    signs[low] = construction
+    variants.VertGlyphCoverage.glyphs, variants.VertGlyphConstruction = list(signs), list(signs.values())
 
 
 def rename(font, family):

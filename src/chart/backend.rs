@@ -1,10 +1,10 @@
 //! The plotters backend: it reports its size in hundredths of a unit and writes them with a point, so that plotters' whole
 //! pixels become coordinates of fixed precision. Roles travel as sentinel colours and come out as classes.
 
-use super::Sheet;
 use super::palette::{Dash, Role};
 use super::shape::Ink;
 use super::text::{Rich, SIZE, escape};
+use super::{ADJUST, Sheet};
 use plotters_backend::text_anchor::{HPos, VPos};
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind, FontTransform,
@@ -207,7 +207,7 @@ pub(super) fn open(sheet: &Sheet, height: i32, named: bool, out: &mut String) {
     // Writing to a string cannot fail.
     let _ = write!(
         out,
-        "\" aria-labelledby=\"{id}-title {id}-desc\" font-family=\"Helvetica,Arial,sans-serif\" font-size=\"{SIZE}\" \
+        "\" aria-labelledby=\"{id}-title {id}-desc\" font-family=\"Helvetica,Arial,sans-serif\"{ADJUST} font-size=\"{SIZE}\" \
          fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n\
          <title id=\"{id}-title\">{title}</title>\n<desc id=\"{id}-desc\">{description}</desc>\n"
     );

@@ -71,6 +71,9 @@ impl Sheet {
     }
 }
 
+/// A drawing as a file has the faces that are there, of which some are wider than the one that it was measured with: they are set smaller.
+const ADJUST: &str = " style=\"font-size-adjust:.45\"";
+
 /// A finished drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
@@ -99,7 +102,7 @@ impl Figure {
             }
         }
         out.push_str(rest);
-        out
+        out.replacen(ADJUST, "", 1)
     }
 }
 

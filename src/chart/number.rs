@@ -3,7 +3,7 @@
 /// The minus sign.
 pub const MINUS: char = '\u{2212}';
 /// The space between groups of three digits.
-pub const THIN: char = '\u{2009}';
+pub const THIN: char = '\u{202f}';
 
 /// `value` with `places` decimals; nothing rounds to a negative zero.
 pub fn fixed(value: f64, places: usize) -> String {
@@ -105,12 +105,12 @@ mod tests {
     fn numbers_as_printed() {
         assert_eq!(fixed(-0.5, 2), "−0.50");
         assert_eq!(fixed(-0.001, 2), "0.00");
-        assert_eq!(fixed(12345.6, 1), "12\u{2009}345.6");
+        assert_eq!(fixed(12345.6, 1), "12\u{202f}345.6");
         assert_eq!([-0.5, -1.0, -0.75, 1.0 / 3.0].map(shortest), ["−0.5", "−1", "−0.75", "0.333"]);
-        assert_eq!(integer(-1_048_576), "−1\u{2009}048\u{2009}576");
+        assert_eq!(integer(-1_048_576), "−1\u{202f}048\u{202f}576");
         assert_eq!(integer(1024), "1024");
         assert_eq!(significant(0.001_234_56, 3), "0.00123");
-        assert_eq!(significant(1.5e-9, 2), "1.5\u{2009}×\u{2009}10⁻⁹");
+        assert_eq!(significant(1.5e-9, 2), "1.5\u{202f}×\u{202f}10⁻⁹");
         assert_eq!(significant(9.999, 2), "10");
         assert_eq!(significant(0.0, 3), "0");
         assert_eq!(fixed(f64::NAN, 2), "—");

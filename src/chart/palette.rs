@@ -330,9 +330,8 @@ pub fn css() -> String {
     }
     css += ".chart{display:block;max-width:100%;height:auto;margin-inline:auto;font-family:var(--chart-font,Helvetica,Arial,sans-serif)}\n\
             .chart .m{font-family:var(--chart-math,Georgia,\"Times New Roman\",serif)}\n\
-            .chart.named{min-width:min(30rem,var(--width,30rem))}\n\
-            @media screen and (max-width:30em){.chart{font-size:16.5px}}\n\
-            @media print{.chart.named{min-width:0}}\n";
+            @media screen and (min-width:34em){.chart.named{min-width:min(30rem,var(--width,30rem))}}\n\
+            @media screen and (max-width:30em){.chart{font-size:16.5px}}\n";
     css
 }
 

@@ -196,7 +196,7 @@ mod tests {
         assert_eq!(Cell::estimate(123.0, 14.0).printed(), "123 ± 14");
         assert_eq!(Cell::estimate(1.5, f64::NAN).printed(), "1.50000");
         assert_eq!(Cell::fixed(-1.0, 1).printed(), "−1.0");
-        assert_eq!(Cell::from(100_000_usize).printed(), "100\u{2009}000");
+        assert_eq!(Cell::from(100_000_usize).printed(), "100\u{202f}000");
     }
 
     #[test]

@@ -302,11 +302,16 @@ fn with_error(value: f64, error: f64) -> String {
     };
     let exponent = |number: f64| number::parts(number, 2).1;
     let most = if value.abs() > error { exponent(value) } else { exponent(error) };
-    if most >= -4 && decimals(error) <= FINE {
-        return both(1.0, decimals(error));
+    match (most >= -4, decimals(error) <= FINE) {
+        (true, true) => return both(1.0, decimals(error)),
+        // Rounding is all that there is of an error.
+        (true, false) => {
+            return format!("{}\u{202f}±\u{202f}{}", number::significant(value, 5), number::scientific(error, 2));
+        }
+        (false, _) => {}
     }
     let scale = format!("1e{most}").parse().unwrap_or(1.0);
-    format!("({})\u{2009}×\u{2009}10{}", both(scale, decimals(error / scale)), number::raised(most))
+    format!("({})\u{202f}×\u{202f}10{}", both(scale, decimals(error / scale)), number::raised(most))
 }
 
 /// A number with as many digits as tell it from a rounder one: 4, and two more of what 4 leave out.

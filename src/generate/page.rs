@@ -198,9 +198,21 @@ const LOWERED: &[(char, char)] = &[
     ('+', '₊'),
 ];
 
+/// The letter x as a sign between what can be multiplied: `p x p`, but not `1 for x < 1/pi`.
+fn times(text: &str) -> String {
+    let mut words: Vec<&str> = text.split(' ').collect();
+    let factor = |word: &str| word.chars().count() == 1 && word != "=" || word.contains(|c: char| !c.is_alphabetic());
+    for at in 1..words.len().saturating_sub(1) {
+        if words[at] == "x" && factor(words[at - 1]) && !["<", "=", ">", "<=", ">=", "in"].contains(&words[at + 1]) {
+            words[at] = "×";
+        }
+    }
+    words.join(" ")
+}
+
 /// A sentence that is no markdown, with printed signs: `n = k^d` has a raised d, an apostrophe is round.
 pub(super) fn printed(text: &str) -> String {
-    let text = text.replace('\'', "’").replace(" x ", " × ").replace(" - ", " − ").replace("<=", "≤");
+    let text = times(text).replace('\'', "’").replace(" - ", " − ").replace("<=", "≤");
     let mut out = String::with_capacity(text.len());
     let mut rest = text.as_str();
     while let Some(c) = rest.chars().next() {
@@ -236,6 +248,7 @@ mod tests {
     #[test]
     fn sentences_have_printed_signs() {
         assert_eq!(printed("n = k^d of Sobol's p x p, F_(k-1)"), "n = kᵈ of Sobol’s p × p, Fₖ₋₁");
+        assert_eq!(printed("1 for x < 1/pi; 16 x 16"), "1 for x < 1/pi; 16 × 16");
         assert_eq!(printed("(1 + x_j)^-(d+1), a_j^-2"), "(1 + xⱼ)⁻⁽ᵈ⁺¹⁾, aⱼ⁻²");
         assert_eq!(printed("exp(-sum a_j^2 (x_j - u_j)^2), 2^(m/2)"), "exp(-sum aⱼ² (xⱼ − uⱼ)²), 2^(m/2)");
     }

@@ -95,9 +95,10 @@ fn rate(scramble: &dyn Scramble, hosts: &[&str], page: &mut Page<'_>) {
     let pair = pairs(&[host], scramble);
     let counts = counts(&pair, &[16, 64, 256, 1024, 4096], 2);
     let name = format!("{host}+{}", scramble.about().key);
-    let caption = format!(
-        "The error before, and the root mean square error over {RUNS} runs after, for a smooth integrand and for one with a curved edge."
-    );
+    let after =
+        if scramble.is_random() { format!("the root mean square error over {RUNS} runs") } else { "that".to_owned() };
+    let caption =
+        format!("The error before, and {after} after, for a smooth integrand and for one with a curved edge.");
     let fence = Fence::new("convergence", &format!("fig-scramble-{}-rate", scramble.about().key))
         .words("samplers", &names(&pair));
     let fence = fence

@@ -14,7 +14,7 @@ use crate::workspace::{CHAPTERS, Workspace};
 choices! {
     /// For whom a book is made.
     pub enum Audience {
-        /// Those who try the exercises: the book has no byte of a solution.
+        /// Those who try the exercises: the book has no byte of a solution, nor of a speaker's notes.
         Student = "student",
         /// Those who teach: the book has everything.
         Instructor = "instructor",
@@ -42,7 +42,7 @@ impl Audience {
 
 /// What students do not get is gone from this course: later stages cannot show what they have never seen.
 ///
-/// Solutions leave blank nodes behind, so that every other node keeps its place, and with it the number that it has in the
+/// Solutions, and notes for the speaker, leave blank nodes behind, so that every other node keeps its place, and with it the number that it has in the
 /// whole book. Footnotes that only solutions refer to go with them; a footnote that stands in a solution and is referred to
 /// from elsewhere is told.
 pub fn without_solutions(course: &Course) -> (Course, Vec<Diagnostic>) {
@@ -121,13 +121,13 @@ fn withheld(nodes: &[Node]) -> Vec<bool> {
     }
 }
 
-/// For each node, whether it stands in a solution.
+/// For each node, whether it stands in a solution or in a speaker's notes.
 fn solutions(nodes: &[Node]) -> Vec<bool> {
     let mut depth = 0_usize;
     let mut inside = Vec::with_capacity(nodes.len());
     for node in nodes {
         match &node.what {
-            What::CalloutStart(callout) if depth > 0 || callout.kind == CalloutKind::Solution => depth += 1,
+            What::CalloutStart(callout) if depth > 0 || for_instructors(callout.kind) => depth += 1,
             What::CalloutEnd(_) if depth > 0 => {
                 depth -= 1;
                 inside.push(true);
@@ -138,6 +138,11 @@ fn solutions(nodes: &[Node]) -> Vec<bool> {
         inside.push(depth > 0);
     }
     inside
+}
+
+/// Whether students do not get a callout of this kind.
+fn for_instructors(kind: CalloutKind) -> bool {
+    matches!(kind, CalloutKind::Solution | CalloutKind::Notes)
 }
 
 /// The nodes of each footnote by its name.

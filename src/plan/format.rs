@@ -95,10 +95,10 @@ mod tests {
     fn numbers_read_as_in_a_book() {
         assert_eq!(write(".2", -0.4996), "\u{2212}0.50");
         assert_eq!(write(".2", -0.001), "0.00");
-        assert_eq!(write(".2e", 3.047e-4), "3.05\u{2009}×\u{2009}10⁻⁴");
+        assert_eq!(write(".2e", 3.047e-4), "3.05\u{202f}×\u{202f}10⁻⁴");
         assert_eq!(write(".3g", 0.012_345), "0.0123");
         assert_eq!(write(".1%", 0.0234), "2.3\u{202f}%");
-        assert_eq!(write("d", 1_000_000.0), "1\u{2009}000\u{2009}000");
+        assert_eq!(write("d", 1_000_000.0), "1\u{202f}000\u{202f}000");
         assert_eq!(write(".2±", 1.5), "1.50\u{202f}±\u{202f}0.01");
         assert_eq!(write("", 0.25), "0.25");
     }

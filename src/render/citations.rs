@@ -64,7 +64,7 @@ impl Citations {
         let mut list = String::from("<ol class=\"bibliography\">\n");
         for item in rendered.bibliography.iter().flat_map(|bibliography| &bibliography.items) {
             let id = format!("ref-{}", escape(&item.key));
-            let entry = format!("<li id=\"{id}\">{}</li>", html(&item.content));
+            let entry = format!("<li id=\"{id}\">{}</li>", tied(&html(&item.content)));
             let _ = writeln!(list, "{entry}");
             entries.insert(id, entry);
         }
@@ -97,6 +97,25 @@ impl Citations {
     pub(super) fn list(&self) -> &str {
         &self.list
     }
+}
+
+/// A formatted work as HTML whose lines break neither within a range of pages nor behind an initial.
+fn tied(html: &str) -> String {
+    let letters: Vec<char> = html.chars().collect();
+    let at = |index: usize, back: usize| index.checked_sub(back).and_then(|index| letters.get(index)).copied();
+    let mut out = String::with_capacity(html.len() + 32);
+    let mut in_tag = false;
+    for (index, &letter) in letters.iter().enumerate() {
+        in_tag = letter == '<' || in_tag && at(index, 1) != Some('>');
+        let initial = at(index, 2).is_some_and(|c| c.is_uppercase() || c == 'p')
+            && !at(index, 3).is_some_and(|c| c.is_lowercase() && c != 'p');
+        match letter {
+            ' ' if !in_tag && at(index, 1) == Some('.') && initial => out.push('\u{a0}'),
+            '–' if !in_tag && letters.get(index + 1).is_some_and(char::is_ascii_digit) => out.push_str("–\u{2060}"),
+            letter => out.push(letter),
+        }
+    }
+    out
 }
 
 /// The course's own file of this name in the folder of templates, or the embedded one.
@@ -141,5 +160,17 @@ fn gather(nodes: &[Node], keys: &mut Vec<String>) {
             What::CalloutStart(Callout { title, .. }) => gather(title, keys),
             _ => {}
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tied;
+
+    #[test]
+    fn initials_and_ranges_are_not_torn() {
+        let html = "<a title=\"A. B\">J. D. Owens</a> (1999). In a. Set, pp. 785–794, p. 3 of part A";
+        let tied = tied(html).replace('\u{a0}', "~").replace('\u{2060}', "+");
+        assert_eq!(tied, "<a title=\"A. B\">J.~D.~Owens</a> (1999). In a. Set, pp.~785–+794, p.~3 of part A");
     }
 }

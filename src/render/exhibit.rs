@@ -166,8 +166,10 @@ fn claims(verdicts: &[Verdict], exhibit: &Exhibit) -> Vec<ClaimContext> {
 
 fn stated(verdict: &Verdict) -> ClaimContext {
     let (value, measured) = (escape(&verdict.value), verdict.measured_html());
-    let statement =
-        format!("<code>{value}</code> = {measured} <span class=\"bound\">(claimed: {})</span>", verdict.bound_html());
+    let statement = format!(
+        "<code>{value}</code> =\u{a0}{measured} <span class=\"bound\">(claimed: {})</span>",
+        verdict.bound_html()
+    );
     ClaimContext { statement, holds: verdict.holds }
 }
 

@@ -76,7 +76,50 @@ impl Writer<'_> {
     }
 }
 
+/// A word of code longer than this may be broken anywhere: it may be wider than a small screen.
+const HELD: usize = 26;
+
+/// Code within a line. Browsers break lines behind a hyphen, which would tear options and names apart.
+pub(super) fn inline_code(code: &str) -> String {
+    let torn = |word: &str| word.contains('-') && (2..=HELD).contains(&word.chars().count());
+    if !code.contains(' ') {
+        let class = if torn(code) { " class=\"held\"" } else { "" };
+        return format!("<code{class}>{}</code>", escape(code));
+    }
+    let mut words: Vec<String> = Vec::new();
+    for word in code.split(' ') {
+        match words.last_mut() {
+            // An option stays with its value.
+            Some(option) if option.starts_with('-') && !option.contains(' ') && option.len() + word.len() < HELD => {
+                option.push(' ');
+                option.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+    }
+    let words = words.iter().map(|word| match escape(word) {
+        html if torn(word) => format!("<span class=\"held\">{html}</span>"),
+        html => html,
+    });
+    format!("<code>{}</code>", words.collect::<Vec<_>>().join(" "))
+}
+
 /// How many characters a formula shows.
 fn letters(math: &str) -> usize {
     math.split('>').filter_map(|piece| piece.split('<').next()).map(|text| text.chars().count()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::inline_code;
+
+    #[test]
+    fn options_and_names_with_hyphens_are_held() {
+        assert_eq!(inline_code("t-value"), "<code class=\"held\">t-value</code>");
+        assert_eq!(inline_code("a < b"), "<code>a &lt; b</code>");
+        let held = "<code>run <span class=\"held\">fig-a</span> <span class=\"held\">-p n=4</span></code>";
+        assert_eq!(inline_code("run fig-a -p n=4"), held);
+        let long = "a-".repeat(20);
+        assert_eq!(inline_code(&long), format!("<code>{long}</code>"), "what is long may be torn");
+    }
 }

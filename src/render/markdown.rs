@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use pulldown_cmark::{Alignment, CodeBlockKind, Event, HeadingLevel, Tag, TagEnd};
 
-use super::inline::Hold;
+use super::inline::{Hold, inline_code};
 use super::notes::Notes;
 use super::{Rendering, blocks, code};
 use crate::diag::Diagnostic;
@@ -142,7 +142,7 @@ impl<'a> Writer<'a> {
                 None => self.words(text),
             },
             Event::Code(code) => {
-                let _ = write!(self.out, "<code>{}</code>", escape(code));
+                self.out.push_str(&inline_code(code));
             }
             Event::Html(html) | Event::InlineHtml(html) => self.out.push_str(html),
             Event::SoftBreak => self.out.push('\n'),

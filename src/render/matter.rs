@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::Rendering;
 use super::exhibit::label;
+use super::inline::inline_code;
 use super::markdown::Writer;
 use super::table;
 use crate::chart::Drawing;
@@ -166,7 +167,8 @@ impl From<ParameterDoc> for ParameterContext {
 /// Plain words as HTML, with what stands between backticks as code.
 fn literals(words: &str) -> String {
     let parts = words.split('`').enumerate();
-    let part = |(index, part)| if index % 2 == 0 { escape(part) } else { format!("<code>{}</code>", escape(part)) };
+    let prose = |part: &str| escape(&part.replace('\'', "’"));
+    let part = |(index, part)| if index % 2 == 0 { prose(part) } else { inline_code(part) };
     parts.map(part).collect()
 }
 

@@ -16,10 +16,10 @@ pub(super) fn html(table: &Table, converter: &Converter) -> String {
     // Many columns stand closer.
     let class_of_all = if table.columns.len() >= MANY { "data many" } else { "data" };
     let mut out = format!("<div class=\"table-wrap\"><table class=\"{class_of_all}\">\n<thead><tr>");
-    for column in &table.columns {
+    for (index, column) in table.columns.iter().enumerate() {
         let words = prose(&column.head, converter);
         let (open, close) = if words.is_empty() { PLAIN } else { ("th scope=\"col\"", "th") };
-        let _ = write!(out, "<{open}{}>{words}</{close}>", class(column.align, false));
+        let _ = write!(out, "<{open}{}>{words}</{close}>", class(column.align, has_numbers(table, index)));
     }
     out.push_str("</tr></thead>\n<tbody>\n");
     let body = table.rows.len().saturating_sub(table.footers);
@@ -45,6 +45,13 @@ fn rows(rows: &[Vec<Cell>], table: &Table, converter: &Converter, out: &mut Stri
         }
         out.push_str("</tr>\n");
     }
+}
+
+/// Whether a column has numbers and nothing else: its head stands above them.
+fn has_numbers(table: &Table, index: usize) -> bool {
+    let mut cells = table.rows.iter().filter_map(|row| row.get(index)).filter(|cell| !cell.printed().is_empty());
+    let first = cells.next();
+    first.is_some_and(Cell::is_number) && cells.all(Cell::is_number)
 }
 
 fn class(align: Align, number: bool) -> &'static str {

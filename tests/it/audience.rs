@@ -11,8 +11,9 @@ use workbook::workspace;
 
 use crate::course::{Course, PACKAGE, tree};
 
-/// Words, ids and names of files that stand in solutions only, in every way that something can stand there.
-const SECRETS: [&str; 32] = [
+/// Words, ids and names of files that stand in solutions or in notes for the speaker only, in every way that something can stand there.
+const SECRETS: [&str; 33] = [
+    "bettong",
     "wallaby",
     "quokka",
     "platypus",
@@ -139,6 +140,9 @@ $$ a = b $$ {#eq-before}
 > > [^inner]: The inner thylacine.
 
 ## Second
+
+> [!NOTES]
+> Ask first what a *bettong* is.
 
 > [!EXERCISE] Hard {#exr-hard}
 > Another question.

@@ -121,7 +121,7 @@ fn counts_of_strata_are_exact() {
     assert!((number(&table, "strata.1000.63") / 1e189 - 1.0).abs() < 1e-14);
     assert!(holds(&table, "within-reach.2.10") && !holds(&table, "within-reach.10.10"));
     let rows = rows("kind = \"strata-count\"\nper_axis = [3]\ndimensions = [20, 40]");
-    assert_eq!(rows[0][1], "(3\u{2009}486\u{2009}784\u{2009}401)");
+    assert_eq!(rows[0][1], "(3\u{202f}486\u{202f}784\u{202f}401)");
     assert_eq!(rows[1][1], "(1.22 \\times 10^{19})");
     // 7^50 by repeated doubling in another way: digits summed by nines.
     let long = rows_of_digits("kind = \"strata-count\"\nper_axis = [7]\ndimensions = [50]");
@@ -254,7 +254,7 @@ fn bit_reversal_is_the_digit_loop() {
     assert!(holds(&both, "equal"));
     assert_eq!((number(&both, "checked"), number(&both, "count")), (65536.0, 65536.0));
     assert_eq!(number(&both, "largest"), 65535.0 / 65536.0);
-    assert_eq!(rows(fence).last().expect("a foot")[5], "65\u{2009}536 of 65\u{2009}536");
+    assert_eq!(rows(fence).last().expect("a foot")[5], "65\u{202f}536 of 65\u{202f}536");
 }
 
 #[test]

@@ -72,8 +72,8 @@ fn what_is_shown_of_a_true_claim_is_true() {
 #[test]
 fn small_values_have_digits() {
     let near = || Bound::Near { target: settled(0.0), within: settled(1e-9) };
-    assert_eq!(shown(3.04e-17, Some(2.9e-12), near()).0, "(0.0\u{202f}±\u{202f}2.9)\u{2009}×\u{2009}10⁻¹²");
-    assert_eq!(shown(3.04e-7, Some(2.9e-9), near()).0, "(3.040\u{202f}±\u{202f}0.029)\u{2009}×\u{2009}10⁻⁷");
+    assert_eq!(shown(3.04e-17, Some(2.9e-12), near()).0, "(0.0\u{202f}±\u{202f}2.9)\u{202f}×\u{202f}10⁻¹²");
+    assert_eq!(shown(3.04e-7, Some(2.9e-9), near()).0, "(3.040\u{202f}±\u{202f}0.029)\u{202f}×\u{202f}10⁻⁷");
     assert_eq!(shown(0.3331, Some(0.0021), near()).0, "0.3331\u{202f}±\u{202f}0.0021");
 }
 

@@ -12,6 +12,9 @@ use crate::plan::escape;
 use languages::LANGUAGES;
 use scan::{Class, Piece};
 
+/// A line of more characters than this may be too long for a small screen.
+const LONG: usize = 34;
+
 /// The lines of `code` as HTML, with classes if the language is known.
 pub(super) fn lines(code: &str, language: &str) -> Vec<String> {
     let known = LANGUAGES.iter().find(|known| known.names.contains(&language));
@@ -19,12 +22,14 @@ pub(super) fn lines(code: &str, language: &str) -> Vec<String> {
         Some(language) => scan::pieces(code, language),
         None => vec![Piece { class: Class::Plain, text: code }],
     };
+    let long: Vec<bool> = code.split('\n').map(|line| line.chars().count() > LONG).collect();
     let mut lines = vec![String::new()];
     for Piece { class, text } in pieces {
         for (index, part) in text.split('\n').enumerate() {
             if index > 0 {
                 lines.push(String::new());
             }
+            let at = lines.len() - 1;
             let Some(line) = lines.last_mut().filter(|_| !part.is_empty()) else { continue };
             match class.name() {
                 // What is blank has no colour.
@@ -33,11 +38,21 @@ pub(super) fn lines(code: &str, language: &str) -> Vec<String> {
                         line.push_str(text);
                     }
                 }
+                _ if long[at] => line.push_str(&breakable(part)),
                 _ => line.push_str(&escape(part)),
             }
         }
     }
     lines
+}
+
+/// Signs between words, with places at which a line that is too long is broken rather than within a word.
+fn breakable(signs: &str) -> String {
+    escape(signs)
+        .replace('(', "(<wbr>")
+        .replace("::", "::<wbr>")
+        .replace('.', "<wbr>.")
+        .replace("<wbr>.<wbr>.", "<wbr>..")
 }
 
 #[cfg(test)]

@@ -79,6 +79,15 @@ fn lines_are_whole_and_escaped() {
 }
 
 #[test]
+fn long_lines_may_break_between_words() {
+    let found = lines("let x = method.points(n, d)?.first::<f64>(0..n); // a.b(c)", "rust").concat();
+    for place in ["<wbr>.<span class=\"f\">points</span>(<wbr>", "::<wbr>&lt;", "<wbr>..", "// a.b(c)"] {
+        assert!(found.contains(place), "{place}: {found}");
+    }
+    assert!(!lines("a.b(c)", "rust").concat().contains("<wbr>"), "a short line stays whole");
+}
+
+#[test]
 fn no_text_is_lost_in_any_language() {
     let odd = [
         "",
