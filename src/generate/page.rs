@@ -146,9 +146,22 @@ pub(super) fn quoted(text: &str) -> String {
 fn paper(paper: &Paper) -> String {
     let Paper { authors, year, title, venue, doi } = paper;
     let title = plain(title);
-    let told = if venue.starts_with("http") { format!("<{venue}>") } else { plain(venue) };
+    let told = if venue.starts_with("http") { format!("<{venue}>") } else { ranges(&plain(venue)) };
     let doi = doi.map(|doi| format!(". [doi:{}](<https://doi.org/{doi}>)", plain(doi))).unwrap_or_default();
     format!("{} ({year}). *{title}*. {told}{doi}", plain(authors))
+}
+
+/// Pages from one to another with a dash, at which no line is broken.
+fn ranges(venue: &str) -> String {
+    let parts: Vec<&str> = venue.split('-').collect();
+    let mut out = parts.first().copied().unwrap_or_default().to_owned();
+    for pair in parts.windows(2) {
+        let digits =
+            pair[0].ends_with(|c: char| c.is_ascii_digit()) && pair[1].starts_with(|c: char| c.is_ascii_digit());
+        out.push_str(if digits { "–\u{2060}" } else { "-" });
+        out.push_str(pair[1]);
+    }
+    out
 }
 
 /// Text that markdown takes as it is.

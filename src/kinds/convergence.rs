@@ -342,7 +342,16 @@ mod drawing {
     /// An integrand's title, or its formula as it was written, and whether there is no error to draw.
     fn name(integrand: &Function, errors: &Errors) -> Rich {
         let title = integrand.abouts().first().map_or(integrand.text(), |about| about.title);
-        Rich::plain(&format!("{title}{}", if errors.any() { "" } else { ": exact" }))
+        match left_out(&errors.curves) {
+            0 => Rich::plain(title),
+            _ if !errors.any() => Rich::plain(&format!("{title}: exact")),
+            count => Rich::plain(&format!("{title}, {count} left out")),
+        }
+    }
+
+    /// How many errors have no place on a logarithmic axis.
+    fn left_out(curves: &[Curve]) -> usize {
+        curves.iter().flat_map(|curve| &curve.marks).filter(|mark| !mark.resolved).count()
     }
 
     /// The errors of one sampler, without those that have no place on a logarithmic axis.
@@ -352,8 +361,15 @@ mod drawing {
             shown.map(|mark| (mark.n as f64, mark.rmse)).collect()
         };
         let label = match curve.fit {
-            Some((slope, ..)) if !several => format!("{} ({})", curve.title, fixed(slope, 2)),
-            _ => curve.title.clone(),
+            _ if several => curve.title.clone(),
+            Some((slope, ..)) => match left_out(std::slice::from_ref(curve)) {
+                0 => format!("{} ({})", curve.title, fixed(slope, 2)),
+                count => format!("{} ({}, {count} left out)", curve.title, fixed(slope, 2)),
+            },
+            None => match left_out(std::slice::from_ref(curve)) {
+                0 => curve.title.clone(),
+                count => format!("{} ({count} left out)", curve.title),
+            },
         };
         let style = Style::of(&curve.method);
         let line = Line::new(through(&|_| true)).style(style).label(label);

@@ -33,7 +33,7 @@ static ABOUT: About = About {
     papers: &[Paper {
         authors: "E. Hlawka",
         year: 1961,
-        title: "Funktionen von beschraenkter Variation in der Theorie der Gleichverteilung",
+        title: "Funktionen von beschränkter Variation in der Theorie der Gleichverteilung",
         venue: "Annali di Matematica Pura ed Applicata 54, 325-333",
         doi: Some("10.1007/BF02415361"),
     }],

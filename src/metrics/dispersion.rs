@@ -33,7 +33,7 @@ static DISTANCE: About = About {
     file: "metrics/dispersion.rs",
     source: include_str!("dispersion.rs"),
     papers: &[Paper {
-        authors: "A. Lagae and P. Dutre",
+        authors: "A. Lagae and P. Dutré",
         year: 2008,
         title: "A Comparison of Methods for Generating Poisson Disk Distributions",
         venue: "Computer Graphics Forum 27(1), 114-129",
@@ -47,7 +47,7 @@ static RADIUS: About = About {
     file: "metrics/dispersion.rs",
     source: include_str!("dispersion.rs"),
     papers: &[Paper {
-        authors: "A. Lagae and P. Dutre",
+        authors: "A. Lagae and P. Dutré",
         year: 2008,
         title: "A Comparison of Methods for Generating Poisson Disk Distributions",
         venue: "Computer Graphics Forum 27(1), 114-129",

@@ -34,7 +34,7 @@ static ABOUT: About = About {
         authors: "H. Niederreiter",
         year: 1987,
         title: "Point Sets and Sequences with Small Discrepancy",
-        venue: "Monatshefte fuer Mathematik 104, 273-337",
+        venue: "Monatshefte für Mathematik 104, 273-337",
         doi: Some("10.1007/BF01294651"),
     }],
 };

@@ -16,7 +16,7 @@
 //! set. A throw that jams starts again.
 //!
 //! **Paper.** R. L. Cook, Stochastic Sampling in Computer Graphics (1986), doi 10.1145/7529.8927;
-//! the jamming limit: E. L. Hinrichsen, J. Feder and T. Jossang, J. Stat. Phys. 44 (1986), doi
+//! the jamming limit: E. L. Hinrichsen, J. Feder and T. Jøssang, J. Stat. Phys. 44 (1986), doi
 //! 10.1007/BF01011908.
 //!
 //! ```
@@ -49,7 +49,7 @@ static ABOUT: About = About {
             doi: Some("10.1145/7529.8927"),
         },
         Paper {
-            authors: "E. L. Hinrichsen, J. Feder and T. Jossang",
+            authors: "E. L. Hinrichsen, J. Feder and T. Jøssang",
             year: 1986,
             title: "Geometry of Random Sequential Adsorption",
             venue: "Journal of Statistical Physics 44, 793-827",

@@ -16,7 +16,7 @@
 //! **Limits.** Good only at n = p^m, which is coarse for large d, and early points lie near the
 //! diagonal; at most 256 dimensions.
 //!
-//! **Paper.** H. Faure, Discrepance de suites associees a un systeme de numeration (en dimension
+//! **Paper.** H. Faure, Discrépance de suites associées à un système de numération (en dimension
 //! s), Acta Arith. 41 (1982), doi 10.4064/aa-41-4-337-351.
 //!
 //! ```
@@ -64,7 +64,7 @@ static ABOUT: About = About {
     papers: &[Paper {
         authors: "H. Faure",
         year: 1982,
-        title: "Discrepance de suites associees a un systeme de numeration (en dimension s)",
+        title: "Discrépance de suites associées à un système de numération (en dimension s)",
         venue: "Acta Arithmetica 41(4), 337-351",
         doi: Some("10.4064/aa-41-4-337-351"),
     }],

@@ -41,7 +41,7 @@ static ABOUT: About = About {
         authors: "J. H. Halton and S. K. Zaremba",
         year: 1969,
         title: "The Extreme and L2 Discrepancies of Some Plane Sets",
-        venue: "Monatshefte fuer Mathematik 73, 316-328",
+        venue: "Monatshefte für Mathematik 73, 316-328",
         doi: Some("10.1007/BF01298982"),
     }],
 };

@@ -40,7 +40,7 @@ static ABOUT: About = About {
             authors: "G. Larcher and F. Pillichshammer",
             year: 2001,
             title: "Walsh Series Analysis of the L2-Discrepancy of Symmetrisized Point Sets",
-            venue: "Monatshefte fuer Mathematik 132, 1-18",
+            venue: "Monatshefte für Mathematik 132, 1-18",
             doi: Some("10.1007/s006050170054"),
         },
         Paper {

@@ -45,7 +45,7 @@ static ABOUT: About = About {
     file: "scrambles/linear.rs",
     source: include_str!("linear.rs"),
     papers: &[Paper {
-        authors: "J. Matousek",
+        authors: "J. Matoušek",
         year: 1998,
         title: "On the L2-Discrepancy for Anchored Boxes",
         venue: "Journal of Complexity 14(4), 527-556",

@@ -53,6 +53,7 @@ fn breakable(signs: &str) -> String {
         .replace("::", "::<wbr>")
         .replace('.', "<wbr>.")
         .replace("<wbr>.<wbr>.", "<wbr>..")
+        .replace("(<wbr>)", "()")
 }
 
 #[cfg(test)]
