@@ -1,14 +1,12 @@
 //! Convergence: the root mean square error of an estimate over the number of points, on logarithmic axes.
 //!
-//! Every sampler estimates the same integral R times with N points. Over the counts N, the errors of a sampler fall along a
-//! line whose slope is its rate; the slope is fitted by least squares to log2 of the error over log2 of N. A sequence that no
-//! seed changes has one error for each N, and its absolute value stands for the root mean square.
+//! Every sampler estimates the same integral R times with N points. Over the counts N, the errors of a sampler fall along a line whose
+//! slope is its rate; it is fitted by least squares to log2 of the error over log2 of N. A sequence that no seed changes has one error for
+//! each N, and its absolute value stands for the root mean square. Several integrands are a panel each.
 //!
-//! An error that is zero, or not larger than the error of the reference itself, says nothing of the rate and has no place on
-//! a logarithmic axis: it is left out of the fit and the drawing, and counted in the value `unresolved`.
-//!
-//! Nets are whole only at the powers of their base: on demand the powers alone are fitted and marked, and the counts between
-//! them are a thin line with a slope of its own. Several integrands are a panel each.
+//! An error that is zero, or not larger than that of the reference itself, says nothing of the rate and has no place on a logarithmic
+//! axis: it is left out of the fit and the drawing, and counted. Nets are whole only at the powers of their base: on demand the powers
+//! alone are fitted and marked, and the counts between them are a thin line with a slope of its own.
 
 use serde::{Deserialize, Serialize};
 
@@ -164,7 +162,7 @@ impl Kind for ConvergenceKind {
                     values.number(format!("gain.{}{end}", curve.method), from / to);
                 });
             }
-            if let Some((best, worst)) = extremes(errors) {
+            if let Some([best, worst]) = extremes(errors) {
                 values.text(format!("best{end}"), best.0);
                 values.number(format!("gain{end}"), worst.1 / best.1);
             }
@@ -211,6 +209,11 @@ impl Data {
 }
 
 impl Curve {
+    /// How many errors have no place on a logarithmic axis.
+    fn left_out(&self) -> usize {
+        self.marks.iter().filter(|mark| !mark.resolved).count()
+    }
+
     /// The error at the largest count, if it is resolved.
     fn end(&self) -> Option<f64> {
         self.marks.last().filter(|mark| mark.resolved).map(|mark| mark.rmse)
@@ -276,8 +279,7 @@ fn name_errors(p: &Convergence, errors: &Errors, end: &str, values: &mut Values)
         {
             values.estimate(format!("slope.between.{name}{end}"), slope, error.unwrap_or(f64::NAN));
         }
-        let unresolved = curve.marks.iter().filter(|mark| !mark.resolved).count();
-        values.integer(format!("unresolved.{name}{end}"), unresolved as i64);
+        values.integer(format!("unresolved.{name}{end}"), curve.left_out() as i64);
     }
 }
 
@@ -303,15 +305,11 @@ fn fit(marks: &[Mark], chosen: impl Fn(usize) -> bool) -> Option<(f64, Option<f6
     line.slope.is_finite().then_some((line.slope, error, line.intercept))
 }
 
-/// A sampler and its error.
-type Rank<'a> = (&'a str, f64);
-
 /// The sampler with the smallest error at the largest count, and the one with the largest, where both are resolved.
-fn extremes(errors: &Errors) -> Option<(Rank<'_>, Rank<'_>)> {
+fn extremes(errors: &Errors) -> Option<[(&str, f64); 2]> {
     let ends = || errors.curves.iter().filter_map(|curve| Some((curve.method.as_str(), curve.end()?)));
-    let best = ends().min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let worst = ends().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    (best.0 != worst.0).then_some((best, worst))
+    let [best, worst] = [ends().min_by(|a, b| a.1.total_cmp(&b.1))?, ends().max_by(|a, b| a.1.total_cmp(&b.1))?];
+    (best.0 != worst.0).then_some([best, worst])
 }
 
 mod drawing {
@@ -342,16 +340,11 @@ mod drawing {
     /// An integrand's title, or its formula as it was written, and whether there is no error to draw.
     fn name(integrand: &Function, errors: &Errors) -> Rich {
         let title = integrand.abouts().first().map_or(integrand.text(), |about| about.title);
-        match left_out(&errors.curves) {
+        match errors.curves.iter().map(Curve::left_out).sum::<usize>() {
             0 => Rich::plain(title),
             _ if !errors.any() => Rich::plain(&format!("{title}: exact")),
             count => Rich::plain(&format!("{title}, {count} left out")),
         }
-    }
-
-    /// How many errors have no place on a logarithmic axis.
-    fn left_out(curves: &[Curve]) -> usize {
-        curves.iter().flat_map(|curve| &curve.marks).filter(|mark| !mark.resolved).count()
     }
 
     /// The errors of one sampler, without those that have no place on a logarithmic axis.
@@ -360,23 +353,14 @@ mod drawing {
             let shown = curve.marks.iter().filter(|mark| mark.resolved && chosen(mark));
             shown.map(|mark| (mark.n as f64, mark.rmse)).collect()
         };
-        let label = match curve.fit {
-            _ if several => curve.title.clone(),
-            Some((slope, ..)) => match left_out(std::slice::from_ref(curve)) {
-                0 => format!("{} ({})", curve.title, fixed(slope, 2)),
-                count => format!("{} ({}, {count} left out)", curve.title, fixed(slope, 2)),
-            },
-            None => match left_out(std::slice::from_ref(curve)) {
-                0 => curve.title.clone(),
-                count => format!("{} ({count} left out)", curve.title),
-            },
-        };
+        let slope = curve.fit.map(|(slope, ..)| fixed(slope, 2));
+        let left_out = Some(curve.left_out()).filter(|count| *count > 0).map(|count| format!("{count} left out"));
+        let notes = slope.iter().chain(&left_out).cloned().collect::<Vec<_>>().join(", ");
+        let plain = several || notes.is_empty();
+        let label = if plain { curve.title.clone() } else { format!("{} ({notes})", curve.title) };
         let style = Style::of(&curve.method);
         let line = Line::new(through(&|_| true)).style(style).label(label);
-        let line = match curve.fit {
-            Some((slope, ..)) if several => line.tail(fixed(slope, 2)),
-            _ => line,
-        };
+        let line = if let (true, Some(slope)) = (several, slope) { line.tail(slope) } else { line };
         match p.powers {
             None => vec![line.marked().into()],
             Some(base) => {
@@ -442,7 +426,7 @@ mod drawing {
             }
             text.push('.');
         }
-        if let Some((best, worst)) = extremes(errors) {
+        if let Some([best, worst]) = extremes(errors) {
             let curve = |name: &str| errors.curves.iter().find(|curve| curve.method == name);
             let title = |name: &str| curve(name).map_or(name.to_owned(), |curve| curve.title.clone());
             let _ = write!(

@@ -29,7 +29,7 @@ struct KeyContext {
 /// What stands below the drawing of the stepper with this id.
 pub(super) fn html(id: &str, stepper: &Stepper, rendering: &Rendering<'_>, told: &mut Vec<Diagnostic>) -> String {
     let captions: Vec<String> =
-        stepper.captions.iter().map(|caption| bound(&table::prose(&printed(caption), rendering.converter))).collect();
+        stepper.captions.iter().map(|caption| held(&table::prose(caption, rendering.converter))).collect();
     let key = |key: &'_ crate::chart::KeyStep| captions.get(key.step - 1).cloned().unwrap_or_default();
     let strip = stepper.strip.iter().map(|step| KeyContext {
         step: step.step,
@@ -41,15 +41,8 @@ pub(super) fn html(id: &str, stepper: &Stepper, rendering: &Rendering<'_>, told:
     rendering.templates.fill("stepper.html", &StepperPart { stepper: context }, told)
 }
 
-/// The words with printed apostrophes; formulas as they are.
-fn printed(caption: &str) -> String {
-    let parts = caption.split('$').enumerate();
-    let parts = parts.map(|(index, part)| if index % 2 == 0 { part.replace('\'', "’") } else { part.to_owned() });
-    parts.collect::<Vec<_>>().join("$")
-}
-
 /// The words with each formula held together with the full stop or comma behind it, before which a browser would break the line.
-fn bound(html: &str) -> String {
+fn held(html: &str) -> String {
     let mut out = String::with_capacity(html.len());
     let mut rest = html;
     while let Some(start) = rest.find("<math") {
@@ -57,7 +50,7 @@ fn bound(html: &str) -> String {
         out.push_str(&rest[..start]);
         let mark = rest[end..].chars().next().filter(|c| ".,:;)".contains(*c));
         let stop = end + mark.map_or(0, char::len_utf8);
-        let (open, close) = if mark.is_some() { ("<span class=\"step-bound\">", "</span>") } else { ("", "") };
+        let (open, close) = if mark.is_some() { ("<span class=\"held\">", "</span>") } else { ("", "") };
         out.extend([open, &rest[start..stop], close]);
         rest = &rest[stop..];
     }
@@ -71,14 +64,9 @@ mod tests {
     #[test]
     fn punctuation_stays_with_its_formula() {
         let html = "a <math>x</math>, b <math>y</math> c <math>z</math>.";
-        let held = |part: &str| format!("<span class=\"step-bound\">{part}</span>");
-        let expected = format!("a {} b <math>y</math> c {}", held("<math>x</math>,"), held("<math>z</math>."));
-        assert_eq!(bound(html), expected);
-        assert_eq!(bound("none."), "none.");
-    }
-
-    #[test]
-    fn apostrophes_are_printed_outside_of_formulas() {
-        assert_eq!(printed("Sobol' $f'$ Owen's"), "Sobol’ $f'$ Owen’s");
+        let span = |part: &str| format!("<span class=\"held\">{part}</span>");
+        let expected = format!("a {} b <math>y</math> c {}", span("<math>x</math>,"), span("<math>z</math>."));
+        assert_eq!(held(html), expected);
+        assert_eq!(held("none."), "none.");
     }
 }

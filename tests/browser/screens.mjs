@@ -4,7 +4,7 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
-import { each, read } from "./gates.mjs";
+import { read } from "./gates.mjs";
 import { find, launch, visit } from "./browser.mjs";
 
 const WIDTHS = [390, 820, 1440];
@@ -25,18 +25,18 @@ const made = [];
 for (const colorScheme of ["light", "dark"]) {
   for (const width of WIDTHS) {
     const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme });
-    await each(book.pages, async (file) => {
+    // One after the other: a page that is not in front may wait for ever to be drawn.
+    for (const file of book.pages) {
       const page = await context.newPage();
       await visit(page, book.url(file));
       const height = await page.evaluate(() => document.documentElement.scrollHeight);
       for (let y = 0, slice = 0; y < height; y += SLICE, slice += 1) {
         const name = `${file.replace(".html", "")}-${width}-${colorScheme}-${String(slice).padStart(2, "0")}.png`;
-        // A long page takes its time on a busy machine.
-        await page.screenshot({ timeout: 120_000, path: join(folder, name), fullPage: true, clip: { x: 0, y, width, height: Math.min(SLICE, height - y) } });
+        await page.screenshot({ path: join(folder, name), fullPage: true, clip: { x: 0, y, width, height: Math.min(SLICE, height - y) } });
         made.push(name);
       }
       await page.close();
-    });
+    }
     await context.close();
     console.log(`${colorScheme}, ${width} px: ${book.pages.length} pages`);
   }
