@@ -102,7 +102,7 @@ def draw_roots(font):
         width = 840 if name == sign else 900
         redraw(font, name, (width / font["hmtx"][name][0], 0, 0, 1, 0, 0))
     # What a sign is too high TeX shares between the gap and the foot; browsers let all of it hang below the line.
-    constants.RadicalVerticalGap.Value = 130
+    constants.RadicalVerticalGap.Value = 100
     outline, pen = DecomposingRecordingPen(font.getGlyphSet()), TTGlyphPen(None)
     font.getGlyphSet()[sign].draw(outline)
     outline.replay(TransformPen(pen, (1, 0, 0, LOW_SIGN, 0, 0)))

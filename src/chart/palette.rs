@@ -140,6 +140,9 @@ pub enum Dash {
 }
 
 impl Dash {
+    /// How lines of reference are broken, in their order, so that each is known from the others.
+    pub const REFERENCES: [Self; 5] = [Self::Dashed, Self::Dotted, Self::DashDot, Self::Long, Self::DashDotDot];
+
     /// The lengths of strokes and gaps, in units, for round ends.
     pub(super) fn lengths(self) -> &'static str {
         match self {

@@ -156,8 +156,10 @@ fn ranges(venue: &str) -> String {
     let parts: Vec<&str> = venue.split('-').collect();
     let mut out = parts.first().copied().unwrap_or_default().to_owned();
     for pair in parts.windows(2) {
+        // Pages stand behind a comma; the number of a report keeps its hyphen.
+        let first = pair[0].trim_end_matches(|c: char| c.is_ascii_digit());
         let digits =
-            pair[0].ends_with(|c: char| c.is_ascii_digit()) && pair[1].starts_with(|c: char| c.is_ascii_digit());
+            first.len() < pair[0].len() && first.ends_with(", ") && pair[1].starts_with(|c: char| c.is_ascii_digit());
         out.push_str(if digits { "–\u{2060}" } else { "-" });
         out.push_str(pair[1]);
     }

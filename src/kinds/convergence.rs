@@ -370,9 +370,6 @@ mod drawing {
         }
     }
 
-    /// How the reference slopes are broken, in the order in which they are asked for.
-    const BROKEN: [Dash; 5] = [Dash::Dashed, Dash::Dotted, Dash::DashDot, Dash::Long, Dash::DashDotDot];
-
     /// The reference slopes: that of independent samples at its predicted height, the others through the first error.
     fn references(p: &Convergence, errors: &Errors) -> Vec<Line> {
         let (Some(first), Some(last)) = (p.n.iter().next(), p.n.iter().last()) else { return Vec::new() };
@@ -385,7 +382,7 @@ mod drawing {
             let line = |height| Line::power(x0, height, slope, x1).style(Style::THEORY.dash(dash));
             height.map(|height| line(height).label(format!("slope {}", shortest(slope))))
         };
-        let broken = p.slopes.iter().zip(BROKEN.into_iter().cycle());
+        let broken = p.slopes.iter().zip(Dash::REFERENCES.into_iter().cycle());
         if first == last { Vec::new() } else { broken.filter_map(reference).collect() }
     }
 

@@ -372,10 +372,12 @@ mod drawing {
             return Vec::new();
         };
         let (Some(first), Some(last)) = (p.n.iter().next(), p.n.iter().last()) else { return Vec::new() };
-        let line = |&slope: &f64| {
-            Line::power(first as f64, start, slope, last as f64).label(format!("slope {}", shortest(slope)))
+        let line = |(&slope, dash): (&f64, Dash)| {
+            let line = Line::power(first as f64, start, slope, last as f64).style(Style::THEORY.dash(dash));
+            line.label(format!("slope {}", shortest(slope)))
         };
-        if first == last { Vec::new() } else { p.slopes.iter().map(line).collect() }
+        let broken = p.slopes.iter().zip(Dash::REFERENCES.into_iter().cycle());
+        if first == last { Vec::new() } else { broken.map(line).collect() }
     }
 
     pub(super) fn alt(p: &Discrepancy, data: &Data) -> Option<String> {

@@ -77,9 +77,8 @@ impl<'a> Reader<'a, '_> {
             run.escaped.push(0);
         }
         run.map.push(0, range);
-        while let Some((Event::Text(_), _)) = self.events.peek() {
-            let Some((Event::Text(text), range)) = self.events.next() else { break };
-            if range.start > run.end {
+        while let Some((text, range)) = self.next_text(&run) {
+            if range.start > run.end && self.parsed.as_bytes()[..range.start].ends_with(b"\\") {
                 run.escaped.push(run.text.len());
             }
             run.end = range.end;
@@ -87,6 +86,20 @@ impl<'a> Reader<'a, '_> {
             run.text.push_str(&text);
         }
         run
+    }
+
+    /// The text that follows a run and belongs to it: a citation may go on in the next line.
+    fn next_text(&mut self, run: &Run) -> Option<(CowStr<'a>, Range<usize>)> {
+        let cites = || run.text.rfind("[@").is_some_and(|at| !run.text[at..].contains(']'));
+        match self.events.peek()? {
+            (Event::Text(_), _) => {}
+            (Event::SoftBreak, _) if cites() => {}
+            _ => return None,
+        }
+        match self.events.next()? {
+            (Event::Text(text), range) => Some((text, range)),
+            (_, range) => Some(("\n".into(), range)),
+        }
     }
 
     /// Splits a run into text, references and citations.

@@ -89,10 +89,29 @@ impl Converter {
     fn anew(&self, tex: &str, display: bool) -> Result<String, FormulaError> {
         let display = if display { MathDisplay::Block } else { MathDisplay::Inline };
         match self.converter.convert_with_local_state(tex, display) {
-            Ok(result) => Ok(result.mathml),
+            Ok(result) => Ok(with_integrals(result.mathml)),
             Err(error) => Err(FormulaError { range: within(tex, &error.0), message: error.error_message() }),
         }
     }
+}
+
+/// The formula with a class for each integral over a domain: browsers lead what follows away from the domain by the slant of the sign.
+fn with_integrals(mathml: String) -> String {
+    if !mathml.contains("∫</mo>") {
+        return mathml;
+    }
+    let mut out = String::with_capacity(mathml.len() + 32);
+    let mut rest = mathml.as_str();
+    while let Some(at) = rest.find("∫</mo>") {
+        let sign = rest[..at].rfind("<mo").unwrap_or(at);
+        match rest[..sign].strip_suffix("<msub>") {
+            Some(before) => out.extend([before, "<msub class=\"integral\">", &rest[sign..at]]),
+            None => out.push_str(&rest[..at]),
+        }
+        out.push('∫');
+        rest = &rest[at + '∫'.len_utf8()..];
+    }
+    out + rest
 }
 
 /// The memory, whole even if a thread that held it broke off.
@@ -125,6 +144,14 @@ mod tests {
         assert!(converter.convert(r"\E[Y] = \int f\,p", false).is_ok_and(|mathml| mathml.contains("<math")));
         let error = converter.convert(r"a + \fraq{1}{2}", false).expect_err("no such command");
         assert_eq!(&r"a + \fraq{1}{2}"[error.range], r"\fraq");
+    }
+
+    #[test]
+    fn integrals_over_a_domain_are_marked_and_no_other_sign() {
+        let converter = Converter::new(&BTreeMap::new(), &mut Vec::new());
+        let found = converter.convert(r"\int_D f + \int_0^1 g + \int h + \log_2 N", true).expect("a formula");
+        assert_eq!(found.matches("class=\"integral\"").count(), 1, "{found}");
+        assert!(found.contains("<msub class=\"integral\"><mo") && found.matches('∫').count() == 3, "{found}");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::inline::inline_code;
 use super::markdown::Writer;
 use super::{Rendering, code, pictures, site, stepper, table};
 use crate::chart::{Drawing, Stepper};
@@ -165,11 +166,9 @@ fn claims(verdicts: &[Verdict], exhibit: &Exhibit) -> Vec<ClaimContext> {
 }
 
 fn stated(verdict: &Verdict) -> ClaimContext {
-    let (value, measured) = (escape(&verdict.value), verdict.measured_html());
-    let statement = format!(
-        "<code>{value}</code> =\u{a0}{measured} <span class=\"bound\">(claimed: {})</span>",
-        verdict.bound_html()
-    );
+    let (value, measured) = (inline_code(&verdict.value), verdict.measured_html());
+    let statement =
+        format!("{value} =\u{a0}{measured} <span class=\"bound\">(claimed: {})</span>", verdict.bound_html());
     ClaimContext { statement, holds: verdict.holds }
 }
 

@@ -135,7 +135,7 @@ fn without_marks(html: &str) -> String {
 #[derive(Serialize)]
 pub(super) struct KindContext {
     key: &'static str,
-    title: &'static str,
+    title: String,
     summary: String,
     parameters: Vec<ParameterContext>,
     exhibits: Vec<UseContext>,
@@ -198,7 +198,7 @@ pub(super) fn kinds(rendering: &Rendering<'_>) -> Vec<KindContext> {
         let about = kind.about();
         KindContext {
             key: about.key,
-            title: about.title,
+            title: about.title.replace('\'', "’"),
             summary: literals(about.summary),
             parameters: kind.parameters().into_iter().map(ParameterContext::from).collect(),
             exhibits: of(about.key),

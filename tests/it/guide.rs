@@ -118,7 +118,7 @@ fn the_appendix_of_diagnostics_is_what_explain_says() {
     let mut text = "+++\ntitle = \"Diagnostics\"\nsummary = \"Every code in a message: what it means, what to do, and a wrong and a right example.\"\n+++\n\n\
                     `workbook explain CODE` prints the same. Examples without the name of a file are the text of a chapter below its front matter. \
                     They are what the tests run: each wrong one gives its own code and no other, and each right one none.\n\n\
-                    ## The codes {#sec-diagnostics}\n\nThe first two digits tell where something is wrong: @sec-files, @sec-written, @sec-computed, @sec-book.\n"
+                    ## The codes {#sec-diagnostics}\n\nHow a code begins tells where something is wrong: W00 in @sec-files, W01 in @sec-written, W02 in @sec-computed, W03 in @sec-book.\n"
         .to_owned();
     let mut codes = Code::ALL.to_vec();
     codes.sort_by_key(|code| code.id());

@@ -172,3 +172,18 @@ enum Node {
     Unary(&'static Unary, Box<Node>),
     Binary(&'static Binary, Box<Node>, Box<Node>),
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{BINARIES, CONSTANTS, UNARIES};
+
+    #[test]
+    fn the_guide_names_every_function() {
+        let guide = include_str!("../../../guide/chapters/03-experiments.md");
+        let functions =
+            UNARIES.iter().map(|function| function.name).chain(BINARIES.iter().map(|function| function.name));
+        for name in functions.chain(CONSTANTS.iter().map(|(name, ..)| *name)) {
+            assert!(guide.contains(&format!("`{name}`")), "{name}");
+        }
+    }
+}

@@ -24,7 +24,9 @@ pub(super) fn lines(code: &str, language: &str) -> Vec<String> {
     };
     let long: Vec<bool> = code.split('\n').map(|line| line.chars().count() > LONG).collect();
     let mut lines = vec![String::new()];
-    for Piece { class, text } in pieces {
+    let mut pieces = pieces.into_iter().peekable();
+    while let Some(Piece { class, text }) = pieces.next() {
+        let before_word = pieces.peek().is_some_and(|next| next.class != Class::Number);
         for (index, part) in text.split('\n').enumerate() {
             if index > 0 {
                 lines.push(String::new());
@@ -38,7 +40,7 @@ pub(super) fn lines(code: &str, language: &str) -> Vec<String> {
                         line.push_str(text);
                     }
                 }
-                _ if long[at] => line.push_str(&breakable(part)),
+                _ if long[at] => line.push_str(&breakable(part, before_word)),
                 _ => line.push_str(&escape(part)),
             }
         }
@@ -46,14 +48,12 @@ pub(super) fn lines(code: &str, language: &str) -> Vec<String> {
     lines
 }
 
-/// Signs between words, with places at which a line that is too long is broken rather than within a word.
-fn breakable(signs: &str) -> String {
-    escape(signs)
-        .replace('(', "(<wbr>")
-        .replace("::", "::<wbr>")
-        .replace('.', "<wbr>.")
-        .replace("<wbr>.<wbr>.", "<wbr>..")
-        .replace("(<wbr>)", "()")
+/// Signs between words, with places at which a line that is too long is broken rather than within a word: before a method of what was
+/// called, behind a path's colons, and behind a bracket if a `word` follows. An arrow is not torn.
+fn breakable(signs: &str, word: bool) -> String {
+    let html = escape(signs).replace("::", "::<wbr>").replace(").", ")<wbr>.").replace("?.", "?<wbr>.");
+    let html = html.replace("-&gt;", "<span class=\"held\">-&gt;</span>");
+    if word && html.ends_with('(') { html + "<wbr>" } else { html }
 }
 
 #[cfg(test)]

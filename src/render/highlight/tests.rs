@@ -80,11 +80,19 @@ fn lines_are_whole_and_escaped() {
 
 #[test]
 fn long_lines_may_break_between_words() {
-    let found = lines("let x = method.points(n, d)?.first::<f64>(0..n); // a.b(c)", "rust").concat();
-    for place in ["<wbr>.<span class=\"f\">points</span>(<wbr>", "::<wbr>&lt;", "<wbr>..", "// a.b(c)"] {
+    let found =
+        lines("fn f() -> X { method.points(n, g(d), h(1))?.first::<f64>(0..n).last() } // a().b", "rust").concat();
+    for place in [
+        "<span class=\"held\">-&gt;</span>",
+        "method.<span class=\"f\">points</span>(n, ",
+        "(1))?<wbr>.",
+        "::<wbr>&lt;",
+        ")<wbr>.<span",
+        "// a().b",
+    ] {
         assert!(found.contains(place), "{place}: {found}");
     }
-    assert!(!lines("a.b(c)", "rust").concat().contains("<wbr>"), "a short line stays whole");
+    assert!(!lines("a().b(c)", "rust").concat().contains("<wbr>"), "a short line stays whole");
 }
 
 #[test]
