@@ -85,7 +85,7 @@ fn long_lines_may_break_between_words() {
     for place in [
         "<span class=\"held\">-&gt;</span>",
         "method.<span class=\"f\">points</span>(n, ",
-        "(1))?<wbr>.",
+        "</span>))?<wbr>.",
         "::<wbr>&lt;",
         ")<wbr>.<span",
         "// a().b",
