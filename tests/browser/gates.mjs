@@ -20,6 +20,8 @@ const TOGETHER = 2;
 const SAMPLED = ["dark", "zoomed", "still"];
 /** Of so many members one is in a sample. */
 const MEMBERS = 5;
+/** After so many seconds a gate, or the end of a page, is not waited for any longer. */
+const PATIENCE = 300, PARTING = 10;
 /** The most failures of a gate that are printed. */
 const TOLD = 20;
 
@@ -61,10 +63,19 @@ export async function each(items, work) {
   await Promise.all(Array.from({ length: TOGETHER }, worker));
 }
 
+/** What `work` gives, if the browser answers in time: it was seen to wait for ever for a key that was pressed while a page was being left. */
+function within(seconds, work) {
+  let timer = 0;
+  const late = new Promise((_, fail) => { timer = setTimeout(() => fail(new Error(`no answer for ${seconds} s`)), 1000 * seconds); });
+  return Promise.race([work, late]).finally(() => clearTimeout(timer));
+}
+
+const ended = (page) => within(PARTING, page.close()).catch(() => {});
+
 async function guarded(gate, where, work) {
   const begun = performance.now();
   try {
-    const count = await work();
+    const count = await within(PATIENCE, work());
     gate.seen += typeof count === "number" ? count : 0;
     gate.skipped = count === "skipped" ? true : gate.skipped;
   } catch (error) {
@@ -94,9 +105,9 @@ export async function run({ browser, book, gates, tell = () => {} }) {
       } catch (error) {
         looking.forEach((gate) => gate.failures.push(`${file} (${view}): not opened: ${error.message.split("\n")[0]}`));
       }
-      await page.close();
+      await ended(page);
     });
-    await made.close().catch(() => {});
+    await ended(made);
   }
   looked(gates.filter((gate) => gate.look && !gate.walk), tell);
   for (const gate of gates.filter((gate) => gate.walk)) {
@@ -114,7 +125,7 @@ export async function run({ browser, book, gates, tell = () => {} }) {
       continue;
     }
     await guarded(gate, gate.name, () => gate.walk({ browser, book, each, open: fresh, visit, report: reporter(gate) }));
-    await Promise.all(contexts.map((made) => made.close().catch(() => {})));
+    await Promise.all(contexts.map(ended));
     looked([gate], tell);
   }
 }
