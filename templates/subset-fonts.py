@@ -39,14 +39,18 @@ LOW_SIGN = 0.85
 PRIMES = [0x2032, 0x2033, 0x2034, 0x2035, 0x2036, 0x2037, 0x2057]
 
 
-def redraw(font, name, matrix):
-    """Replaces a glyph by its image under an affine map; its advance follows the horizontal scale."""
-    outline = DecomposingRecordingPen(font.getGlyphSet())
+def image(font, name, matrix):
+    """The outline of a glyph under an affine map."""
+    outline, pen = DecomposingRecordingPen(font.getGlyphSet()), TTGlyphPen(None)
     font.getGlyphSet()[name].draw(outline)
-    pen = TTGlyphPen(None)
     outline.replay(TransformPen(pen, matrix))
+    return pen.glyph()
+
+
+def redraw(font, name, matrix):
+    """Replaces a glyph by its image; its advance follows the horizontal scale."""
     advance, bearing = font["hmtx"][name]
-    font["glyf"][name] = pen.glyph()
+    font["glyf"][name] = image(font, name, matrix)
     font["hmtx"][name] = (round(advance * matrix[0]), round(bearing * matrix[0]))
 
 
@@ -63,15 +67,12 @@ def add(font, name, code, glyph, metrics):
 
 def draw_indices(font):
     """Adds the letters of indices: italic letters of formulas, smaller and lower."""
-    glyphs, cmap = font.getGlyphSet(), font.getBestCmap()
+    cmap = font.getBestCmap()
     for code, letter in INDICES.items():
         source = cmap[0x1D44E + ord(letter) - ord("a")]
-        outline = DecomposingRecordingPen(glyphs)
-        glyphs[source].draw(outline)
-        pen = TTGlyphPen(None)
-        outline.replay(TransformPen(pen, (INDEX_SCALE, 0, 0, INDEX_SCALE, 0, -INDEX_DROP)))
+        glyph = image(font, source, (INDEX_SCALE, 0, 0, INDEX_SCALE, 0, -INDEX_DROP))
         advance, bearing = font["hmtx"][source]
-        add(font, f"uni{code:04X}", code, pen.glyph(), (round(advance * INDEX_SCALE), round(bearing * INDEX_SCALE)))
+        add(font, f"uni{code:04X}", code, glyph, (round(advance * INDEX_SCALE), round(bearing * INDEX_SCALE)))
 
 
 def fit_browsers(font):
@@ -103,10 +104,7 @@ def draw_roots(font):
         redraw(font, name, (width / font["hmtx"][name][0], 0, 0, 1, 0, 0))
     # What a sign is too high TeX shares between the gap and the foot; browsers let all of it hang below the line.
     constants.RadicalVerticalGap.Value = 100
-    outline, pen = DecomposingRecordingPen(font.getGlyphSet()), TTGlyphPen(None)
-    font.getGlyphSet()[sign].draw(outline)
-    outline.replay(TransformPen(pen, (1, 0, 0, LOW_SIGN, 0, 0)))
-    add(font, low, 0x221A, pen.glyph(), font["hmtx"][sign])
+    add(font, low, 0x221A, image(font, sign, (1, 0, 0, LOW_SIGN, 0, 0)), font["hmtx"][sign])
     lowest = deepcopy(construction.MathGlyphVariantRecord[0])
     lowest.VariantGlyph, lowest.AdvanceMeasurement = low, round(LOW_SIGN * lowest.AdvanceMeasurement)
     construction.MathGlyphVariantRecord.insert(0, lowest)

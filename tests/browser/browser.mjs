@@ -31,11 +31,6 @@ export function launch(executablePath) {
   return chromium.launch({ executablePath, args });
 }
 
-/** Closes the browser. One was seen that does not end when asked: after some seconds it is left, and ends with its pipes. */
-export function close(browser) {
-  return Promise.race([browser.close(), new Promise((late) => setTimeout(late, 5000))]);
-}
-
 /**
  * Runs `main`, which gives the status of the program, in a process of its own, and ends that by force once the status is known: Node.js now and then
  * waits for ever for its own threads when it exits (https://github.com/nodejs/node/issues/54918), which hung a whole run after its last test had passed.

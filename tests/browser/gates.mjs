@@ -13,6 +13,7 @@
 import { readdirSync, readFileSync, existsSync } from "node:fs";
 import { join, resolve, dirname } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
+import { ended, within } from "./patience.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 /** Pages at a time. */
@@ -20,8 +21,8 @@ const TOGETHER = 2;
 const SAMPLED = ["dark", "zoomed", "still"];
 /** Of so many members one is in a sample. */
 const MEMBERS = 5;
-/** After so many seconds a gate, or the end of a page, is not waited for any longer. */
-const PATIENCE = 300, PARTING = 10;
+/** After so many seconds a gate is not waited for any longer. */
+const PATIENCE = 300;
 /** The most failures of a gate that are printed. */
 const TOLD = 20;
 
@@ -62,15 +63,6 @@ export async function each(items, work) {
   const worker = async () => { while (left.length) await work(left.shift()); };
   await Promise.all(Array.from({ length: TOGETHER }, worker));
 }
-
-/** What `work` gives, if the browser answers in time: it was seen to wait for ever for a key that was pressed while a page was being left. */
-function within(seconds, work) {
-  let timer = 0;
-  const late = new Promise((_, fail) => { timer = setTimeout(() => fail(new Error(`no answer for ${seconds} s`)), 1000 * seconds); });
-  return Promise.race([work, late]).finally(() => clearTimeout(timer));
-}
-
-const ended = (page) => within(PARTING, page.close()).catch(() => {});
 
 async function guarded(gate, where, work) {
   const begun = performance.now();
@@ -148,7 +140,7 @@ function asked(name) {
 async function main() {
   const [only, pages] = [asked("--only"), asked("--pages")];
   const book = read(process.argv[2] ?? "book", pages);
-  const { close, find, launch } = await import("./browser.mjs");
+  const { find, launch } = await import("./browser.mjs");
   const program = find();
   let gates = await load(only);
   let without = 0;
@@ -165,7 +157,7 @@ async function main() {
   const failed = count((gate) => gate.failures.length);
   const skipped = without + count((gate) => gate.skipped && !gate.failures.length);
   console.log(`${gates.length - failed - (skipped - without)} passed, ${failed} failed, ${skipped} skipped`);
-  if (browser) await close(browser);
+  if (browser) await ended(browser);
   return failed || (skipped && process.env.CI) ? 1 : 0;
 }
 

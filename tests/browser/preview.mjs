@@ -7,7 +7,8 @@ import { spawn } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { close, context, find, launch, open, supervised } from "./browser.mjs";
+import { context, find, launch, open, supervised } from "./browser.mjs";
+import { ended } from "./patience.mjs";
 
 const PATIENCE = 60_000;
 const CHAPTER = "01-preview.md";
@@ -169,7 +170,7 @@ async function main() {
     console.log(failed ? `${failed} failed` : "the preview follows its author");
   } finally {
     served.child.kill();
-    await close(browser);
+    await ended(browser);
     rmSync(root, { recursive: true, force: true });
   }
   return failed ? 1 : 0;

@@ -7,7 +7,8 @@ import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:f
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { each, load, read, run } from "./gates.mjs";
-import { close, find, launch, supervised } from "./browser.mjs";
+import { find, launch, supervised } from "./browser.mjs";
+import { ended } from "./patience.mjs";
 
 const inText = (html) => (page) => page.replace("</article>", `${html}</article>`);
 const inHead = (html) => (page) => page.replace("</head>", `${html}</head>`);
@@ -105,7 +106,7 @@ async function main() {
   });
   rmSync(scratch, { recursive: true });
   console.log(`${counts.passed} passed, ${counts.failed} failed, ${counts.skipped} skipped`);
-  await close(browser);
+  await ended(browser);
   return counts.failed || (counts.skipped && process.env.CI) ? 1 : 0;
 }
 
